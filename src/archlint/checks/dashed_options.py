@@ -38,7 +38,7 @@ def dashed_option(system: System, options: Options) -> Iterator[Finding]:
         )
 
 
-@folds("PKG010")
+@folds("PKG010", across_workspaces=True)
 def _of_one_workspace(findings: Sequence[Finding]) -> Finding:
     """One finding for all files: they come of one template."""
     files = {diagnostic.place.file for diagnostic in findings}

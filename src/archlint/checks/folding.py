@@ -6,7 +6,7 @@ the user suppresses or ignores at one place leaves the others; the rest becomes 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -30,16 +30,45 @@ class Fold:
     common: int | None = None
     """How many of the first parts of a group findings have in common; the others tell the fold more of each.  All of
     them, if None."""
+    across_workspaces: bool = False
+    """Whether it also folds what several workspaces show that stand side by side."""
+    rows: Callable[[Sequence[Finding]], Iterable[Sequence[Finding]]] | None = None
+    """Which findings of a group become one, where that depends on what else there is; all of them, if None."""
 
     def __call__(self, findings: Sequence[Finding]) -> Finding:
         return self.function(findings)
 
+    def each(self, group: Sequence[Finding]) -> Iterable[Finding]:
+        """What the findings of a group become."""
+        for row in (group,) if self.rows is None else self.rows(group):
+            yield row[0] if len(row) == 1 else self(row)
+
 
 def folds(
-    code: str, *, across_systems: bool = False, across_severities: bool = False, common: int | None = None
+    code: str,
+    *,
+    across_systems: bool = False,
+    across_severities: bool = False,
+    common: int | None = None,
+    across_workspaces: bool = False,
+    rows: Callable[[Sequence[Finding]], Iterable[Sequence[Finding]]] | None = None,
 ) -> Callable[[Callable[[Sequence[Finding]], Finding]], Fold]:
     """Make the decorated function the fold of the rule with this code."""
-    return lambda function: Fold(code, function, across_systems, across_severities, common)
+    return lambda function: Fold(code, function, across_systems, across_severities, common, across_workspaces, rows)
+
+
+def with_the_same_cause(
+    findings: Sequence[Finding], cause: Callable[[Finding], tuple[str, ...]]
+) -> Iterable[Sequence[Finding]]:
+    """The findings of several files by their cause, if that is in more than one file; by their file, else."""
+    files: dict[tuple[str, ...], set[str]] = {}
+    for finding in findings:
+        files.setdefault(cause(finding), set()).add(finding.place.file)
+    rows: dict[tuple[bool, tuple[str, ...]], list[Finding]] = {}
+    for finding in findings:
+        common = len(files[cause(finding)]) > 1
+        rows.setdefault((common, cause(finding) if common else (finding.place.file,)), []).append(finding)
+    return rows.values()
 
 
 def all_sites(findings: Sequence[Finding]) -> Sites | None:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.folding import folds, with_others
+from archlint.checks.folding import folds, with_others, with_the_same_cause
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -44,7 +44,7 @@ def _refused(row: RefusedManifest) -> Finding:
         f"colcon does not take '{row.package.name}' for a package of ROS, {therefore}: {row.refusal.what}",
         help=row.refusal.help,
         identity=(row.package.name, row.refusal.what),
-        group=(manifest,),
+        group=("refused",),
     )
 
 
@@ -57,7 +57,7 @@ def _untyped(row: Untyped) -> Finding:
         f"colcon takes '{row.package.name}' for a package of catkin, the build system of ROS 1: {what}",
         help=f"put {tag} into <export>" if row.has_export else f"add <export>{tag}</export>",
         identity=(row.package.name, what),
-        group=(manifest,),
+        group=("refused",),
     )
 
 
@@ -74,14 +74,20 @@ def _mistyped(row: Mistyped) -> Finding:
         f"colcon cannot build '{name}': {what}",
         help=f"write <build_type>{row.build_type}</build_type>",
         identity=(name, what),
-        group=(row.place.file,),
+        group=("refused",),
     )
 
 
-@folds("PKG011")
-def _of_one_manifest(findings: Sequence[Finding]) -> Finding:
-    """One finding for a manifest."""
+def _by_cause(findings: Sequence[Finding]) -> Iterable[Sequence[Finding]]:
+    return with_the_same_cause(findings, lambda diagnostic: (diagnostic.identity[1], diagnostic.help))
+
+
+@folds("PKG011", across_workspaces=True, rows=_by_cause)
+def _of_one_cause(findings: Sequence[Finding]) -> Finding:
+    """One finding for a manifest, or for what several of these have."""
     first, *others = findings
+    if any(other.place.file != first.place.file for other in others):
+        return with_others(findings, "another package.xml has", "more package.xml files have", "the same")
     rows = [Related(other.place, other.identity[1]) for other in others]
     return replace(first, related=(*first.related, *rows))
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.checks.dependency_uses import FOR_OTHERS
-from archlint.checks.folding import folds, with_others
+from archlint.checks.folding import folds, with_others, with_the_same_cause
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -34,21 +33,13 @@ def unknown_dependency(system: System, options: Options) -> Iterator[Finding]:
     workspace = workspace_of(system)
     if workspace is None:
         return
-    findings = list(_of_manifests(workspace, options))
-    times = Counter(_mistake(diagnostic) for diagnostic in findings)
-    for diagnostic in findings:
-        mistake = _mistake(diagnostic)
-        yield replace(diagnostic, group=mistake) if times[mistake] > 1 else diagnostic
+    for folder in sorted(workspace.manifests):
+        yield from _of_manifest(workspace, workspace.manifests[folder], options)
 
 
 def _mistake(diagnostic: Finding) -> tuple[str, str]:
     """What several manifests have in common that name the same unknown key: it, and what is to be done about it."""
     return diagnostic.identity[1], diagnostic.help
-
-
-def _of_manifests(workspace: WorkspaceIndex, options: Options) -> Iterator[Finding]:
-    for folder in sorted(workspace.manifests):
-        yield from _of_manifest(workspace, workspace.manifests[folder], options)
 
 
 def _of_manifest(workspace: WorkspaceIndex, package: Package, options: Options) -> Iterator[Finding]:
@@ -188,7 +179,7 @@ def _finding(package: Package, dependency: Dependency, meant: str, help: str) ->
 def _idle(package: Package, dependency: Dependency) -> Finding:
     message = f"'{dependency.name}' is neither a ROS package nor a key of rosdep, which stops here, and nothing uses it"
     told = _told(package, dependency, "", message, "remove the line, unless a package from elsewhere is meant")
-    return replace(told, severity=Severity.INFO, group=(package.manifest.relative, "idle"))
+    return replace(told, severity=Severity.INFO, group=("idle",))
 
 
 def _told(package: Package, dependency: Dependency, meant: str, message: str, help: str) -> Finding:
@@ -199,12 +190,16 @@ def _told(package: Package, dependency: Dependency, meant: str, message: str, he
         message,
         help=help,
         identity=(package.name, dependency.name),
-        group=(file,),
+        group=("unknown",),
         meant=meant,
     )
 
 
-@folds("PKG008")
+def _by_cause(findings: Sequence[Finding]) -> Iterable[Sequence[Finding]]:
+    return with_the_same_cause(findings, _mistake)
+
+
+@folds("PKG008", across_workspaces=True, rows=_by_cause)
 def _of_one_cause(findings: Sequence[Finding]) -> Finding:
     """One finding for all unknown names of a package.xml, or for one that several of these have."""
     if len({diagnostic.place.file for diagnostic in findings}) > 1:

@@ -10,6 +10,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import all_sites, with_others
+from archlint.engine.repeats import lines_at
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
@@ -31,16 +32,10 @@ def once_for_copies(
         folder = _innermost(folders, finding.place.file)
         twin: tuple[object, ...] = (number,)
         if folder is not None:
-            twin = (folders[folder], finding.place.file[len(folder) :], _code_at(finding.place, text_of))
+            twin = (folders[folder], finding.place.file[len(folder) :], lines_at(finding.place, text_of))
         rows.setdefault((finding.code, finding.severity, finding.message, *twin), []).append(finding)
     shown = [finding for row in rows.values() for finding in _of_copies(row, folders)]
     return sorted(shown, key=lambda finding: finding.sort_key)
-
-
-def _code_at(place: Place, text_of: Callable[[str], str | None]) -> tuple[str, ...]:
-    """The lines that a place is in, wherever they stand in their file."""
-    lines = (text_of(place.file) or "").splitlines()
-    return tuple(line.strip() for line in lines[place.line - 1 : place.end_line])
 
 
 def once_for_twins(findings: Iterable[Finding], contents: Mapping[str, tuple[str, str]]) -> list[Finding]:

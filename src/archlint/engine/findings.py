@@ -28,6 +28,7 @@ from archlint.engine.launched_code import launched_files
 from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, started_elsewhere, without_start
 from archlint.engine.merging import folded, merged
+from archlint.engine.repeats import once_for_copied_lines
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.engine.summaries_ahead import SummariesAhead
@@ -72,9 +73,10 @@ def judged_in_parts(
     judged: list[Judged] = []
     systems: list[System] = []
     refused: NothingToDo | None = None
-    for part in parts_of(inputs.request, inputs.workspace):
+    parts = parts_of(inputs.request, inputs.workspace)
+    for part in parts:
         try:
-            result, system, every = _judged(replace(inputs, workspace=part), facts, sieve, ran)
+            result, system, every = _judged(replace(inputs, workspace=part), facts, sieve, ran, len(parts) > 1)
         except NothingToDo as error:
             refused = refused or error
         else:
@@ -89,7 +91,7 @@ def judged_in_parts(
         shown.extend(systems)
     if facts.lasting:
         keep_summaries(inputs.summaries, inputs)
-    joined = judged[0] if len(judged) == 1 else _joined(judged, inputs)
+    joined = _without_repeats(judged[0] if len(parts) == 1 else _joined(judged, inputs), inputs)
     if request.occurrences:
         joined = replace(joined, occurrences=sieve.occurrences)
     return joined if request.baseline is None else _with_stale(joined, inputs, sieve, frozenset.intersection(*ran))
@@ -107,7 +109,8 @@ def _with_stale(judged: Judged, inputs: Inputs, sieve: Sieve, ran: frozenset[str
 
 
 def _joined(judged: Sequence[Judged], inputs: Inputs) -> Judged:
-    every = sorted(dict.fromkeys(f for part in judged for f in part.findings), key=lambda finding: finding.sort_key)
+    every = folded(dict.fromkeys(finding for part in judged for finding in part.findings))
+    every.sort(key=lambda finding: finding.sort_key)
     findings = once_for_copies(every, inputs.workspace.packages, cache(inputs.tree.text))
     summary = summarise(
         findings,
@@ -127,7 +130,7 @@ def _joined(judged: Sequence[Judged], inputs: Inputs) -> Judged:
 
 
 def _judged(
-    inputs: Inputs, facts: FactsOfFiles, sieve: Sieve, ran: list[frozenset[str]]
+    inputs: Inputs, facts: FactsOfFiles, sieve: Sieve, ran: list[frozenset[str]], is_a_part: bool
 ) -> tuple[Judged, System, list[System]]:
     """What is found in a workspace and not known yet, its system as it is shown, and all its systems; the rules that
     judged all of it are added to ``ran``."""
@@ -159,7 +162,7 @@ def _judged(
     sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
     own, vendored = without_vendored(index, sifted.new, request)
     new, hidden = apart(index, own, unused)
-    explained = uninstalled.once_for_a_file(with_reason(folded(new), old), aside)
+    explained = uninstalled.once_for_a_file(with_reason(folded(new, in_a_part=is_a_part), old), aside)
     findings = _without_copies(inputs, facts, index, explained)
     shown = as_asked_for(request, systems[0], workspace)
     summary = summarise(
@@ -181,6 +184,15 @@ def _judged(
     said = [*refused, *notices, *_idle(request.settings, systems)]
     judged = Judged(findings, summary, said, remarks=[*comparison_words(systems[0].compared)])
     return replace(judged, launched=launched_files(systems, findings)), shown, systems
+
+
+def _without_repeats(judged: Judged, inputs: Inputs) -> Judged:
+    """The findings with one for lines that were copied; who wants to see all files wants to see those, too."""
+    if inputs.request.settings.unused_files:
+        return judged
+    packaged = {file.relative for file in inputs.workspace.files if file.package is not None}
+    findings = once_for_copied_lines(judged.findings, packaged, cache(inputs.tree.text))
+    return replace(judged, findings=findings, summary=recounted(judged.summary, findings))
 
 
 def _loaded(inputs: Inputs, facts: FactsOfFiles, known: Sequence[SourceFile]) -> list[System]:

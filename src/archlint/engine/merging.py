@@ -43,15 +43,17 @@ def _keys(finding: Finding) -> set[tuple[object, ...]]:
     return keys
 
 
-def folded(findings: Iterable[Finding]) -> list[Finding]:
+def folded(findings: Iterable[Finding], *, in_a_part: bool = False) -> list[Finding]:
     """The findings with those of one group made one, which no longer has a group: once each had its chance to be
-    turned off."""
+    turned off.  ``in_a_part`` leaves those that other workspaces may show as well."""
     folds = registered_folds()
     alone: list[Finding] = []
     groups: dict[tuple[object, ...], list[Finding]] = {}
     for finding in findings:
-        if finding.group and finding.code in folds:
-            fold = folds[finding.code]
+        fold = folds.get(finding.code)
+        if fold is not None and finding.group and in_a_part and fold.across_workspaces:
+            alone.append(finding)
+        elif fold is not None and finding.group:
             system = None if fold.across_systems else (finding.system, finding.condition)
             severity = None if fold.across_severities else finding.severity
             groups.setdefault((finding.code, severity, system, *finding.group[: fold.common]), []).append(finding)
@@ -59,6 +61,5 @@ def folded(findings: Iterable[Finding]) -> list[Finding]:
             alone.append(finding)
     for several in groups.values():
         ordered = sorted(several, key=lambda finding: finding.sort_key)
-        group_finding = ordered[0] if len(ordered) == 1 else folds[ordered[0].code](ordered)
-        alone.append(replace(group_finding, group=()))
+        alone.extend(replace(each, group=()) for each in folds[ordered[0].code].each(ordered))
     return alone
