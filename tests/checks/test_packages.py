@@ -191,15 +191,21 @@ def test_one_finding_for_what_one_edit_mends(tmp_path, monkeypatch, needs, place
 
 def test_a_circle_is_suppressed_where_a_manifest_closes_it(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    more = "\n  <!-- archlint: ignore[PKG003] until June -->\n  <exec_depend>robot</exec_depend>"
+    for name in ("arm", "robot"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "talker.py").write_text(TALKER, encoding="utf-8")
+    arm = MANIFEST.format(name="arm", type="ament_python", more="<depend>robot</depend>")
+    (tmp_path / "arm" / "package.xml").write_text(arm, encoding="utf-8")
+    more = "\n  <!-- archlint: ignore[PKG003] until June -->\n  <exec_depend>arm</exec_depend>"
     manifest = MANIFEST.format(name="robot", type="ament_python", more=more)
-    (tmp_path / "package.xml").write_text(manifest, encoding="utf-8")
-    (tmp_path / "talker.py").write_text(TALKER, encoding="utf-8")
+    (tmp_path / "robot" / "package.xml").write_text(manifest, encoding="utf-8")
     (tmp_path / "archlint.toml").write_text('select = ["PKG003", "LNT001"]', encoding="utf-8")
     assert check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings == []
-    (tmp_path / "package.xml").write_text(manifest.replace("<exec_depend>robot</exec_depend>", ""), encoding="utf-8")
+    (tmp_path / "robot" / "package.xml").write_text(
+        manifest.replace("<exec_depend>arm</exec_depend>", ""), encoding="utf-8"
+    )
     unused = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
-    assert [(one.code, one.place.file) for one in unused] == [("LNT001", "package.xml")]
+    assert [(one.code, one.place.file) for one in unused] == [("LNT001", "robot/package.xml")]
 
 
 def test_a_node_action_without_a_package_needs_none(findings):

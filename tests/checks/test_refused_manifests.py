@@ -9,7 +9,7 @@ import pytest
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
-from robot_package import CMAKE, SETUP, write_files
+from robot_package import CMAKE, SETUP, SETUP_OF, write_files
 
 MAIL = 'email="a@example.org"'
 
@@ -164,3 +164,27 @@ def test_manifests_with_one_mistake_are_one_finding(tmp_path: Path, monkeypatch:
     )
     assert [related.place.file for related in copied.related] == ["base/package.xml", "camera/package.xml"]
     assert other.place.file == "door/package.xml"
+
+
+def test_packages_with_the_same_address_are_one_finding(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, full: str):
+    monkeypatch.chdir(tmp_path)
+    addresses = {"arm": "robot@localhost", "base": "robot@localhost", "head": "me@home"}
+    for name, address in addresses.items():
+        text = full.format(BUILD).replace("robot<", f"{name}<").replace(MAIL, f'email="{address}"')
+        write_files(tmp_path / name, {"package.xml": text, "setup.py": SETUP_OF.format(name=name)})
+    write_files(tmp_path, {"archlint.toml": 'select = ["PKG011"]'})
+    several, alone = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert several.message.endswith("'robot@localhost' is no email address; another package.xml has the same")
+    assert [row.place.file for row in several.related] == ["base/package.xml"]
+    assert (alone.place.file, alone.related) == ("head/package.xml", ())
+
+
+def test_a_package_that_depends_on_itself_is_told_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, full: str):
+    monkeypatch.chdir(tmp_path)
+    write_files(tmp_path, {"package.xml": full.format("<depend>robot</depend>" + BUILD), "setup.py": SETUP})
+    write_files(tmp_path, {"archlint.toml": 'select = ["PKG003", "PKG011"]'})
+    (finding,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert (finding.code, finding.help) == ("PKG011", "remove the line")
+
+
+BUILD = "<export><build_type>ament_python</build_type></export>"

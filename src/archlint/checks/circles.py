@@ -181,11 +181,12 @@ def _are_of_launch(uses: list[Place]) -> bool:
 
 
 def _declared(package: Package, packages: Mapping[str, Package], kinds: frozenset[DependencyKind]) -> dict[str, Place]:
-    """The packages of the workspace that a manifest names as one of these kinds, with the line."""
+    """The other packages of the workspace that a manifest names as one of these kinds, with the line.  One that names
+    itself is refused by colcon before that looks for an order, as PKG011 says."""
     return {
         d.name: Place(package.manifest.relative, d.line, 1, d.line, 1)
         for d in reversed(package.dependencies)
-        if d.kind in kinds and d.name in packages and condition_verdict(d.condition)
+        if d.kind in kinds and d.name in packages and d.name != package.name and condition_verdict(d.condition)
     }
 
 
