@@ -499,6 +499,33 @@ class TestInvalidName:
 
         assert "the default of the parameter 'topic'" in found.message
 
+    def test_parameters_of_one_node_with_the_same_default(self, judge: Judge):
+        [found] = judge(
+            "NME002",
+            script(
+                "left = node.declare_parameter('left_topic', 'my topic').value",
+                "right = node.declare_parameter('right_topic', 'my topic').value",
+                "node.create_publisher(String, left, 10)  # here",
+                "node.create_publisher(String, right, 10)",
+            ),
+        )
+
+        assert found.message.endswith("; so is the default of 'right_topic'")
+        assert [row.message for row in found.related][-1] == "it is used here"
+
+    def test_parameters_with_different_defaults_are_findings_of_their_own(self, judge: Judge):
+        found = judge(
+            "NME002",
+            script(
+                "left = node.declare_parameter('left_topic', 'left topic').value",
+                "right = node.declare_parameter('right_topic', 'right topic').value",
+                "node.create_publisher(String, left, 10)  # here",
+                "node.create_publisher(String, right, 10)  # here",
+            ),
+        )
+
+        assert len(found) == 2
+
     def test_a_parameter_that_decides_whether_its_name_is_used(self, judge: Judge):
         judge(
             "NME002",

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_other_places
 from archlint.checks.launched_names import is_given_by_launch, is_renamed, names_given_by_launch
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -105,10 +105,21 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
             related=_written_elsewhere([endpoint]),
             node=node.name,
             identity=(creation.function, endpoint.kind, shown),
-            group=() if relative is None else (creation.place.file, creation.function, "no namespace"),
+            group=_cause(endpoint, relative, by_parameter),
         )
 
     yield from (_bad_value(value, endpoints) for value, endpoints in values.values())
+
+
+def _cause(endpoint: Endpoint, relative: str | None, by_parameter: bool) -> tuple[str, ...]:
+    """What the names of a function have in common: the namespace that is empty, or the default of their parameters."""
+    where = (endpoint.creation.place.file, endpoint.creation.function)
+    if relative is not None:
+        return (*where, _NO_NAMESPACE, "")
+    return (*where, _DEFAULT, endpoint.written or "", endpoint.parameter or "") if by_parameter else ()
+
+
+_NO_NAMESPACE, _DEFAULT = "no namespace", "default"
 
 
 def _is_empty_at_first(creation: Creation) -> bool:
@@ -159,10 +170,15 @@ def _relative(endpoint: Endpoint) -> str | None:
     return rest if shown.startswith("//") and rest and names.validate_topic_name(rest) is None else None
 
 
-@folds("NME002")
-def _of_one_namespace(several: Sequence[Finding]) -> Finding:
-    """One finding for all names that a function begins with an empty namespace."""
+@folds("NME002", common=4)
+def _of_one_cause(several: Sequence[Finding]) -> Finding:
+    """One finding for all names that a function begins with an empty namespace, or has of parameters with the same
+    default."""
     first, *others = several
+    if _DEFAULT in first.group[2:3]:
+        parameters = dict.fromkeys(f"'{other.group[4]}'" for other in others if other.group[4] != first.group[4])
+        more = f"; so is the default of {listed([*parameters])}" if parameters else ""
+        return replace(with_other_places(several, "it is used here"), message=first.message + more)
     written = list(dict.fromkeys(other.identity[2] for other in others if other.identity[2] != first.identity[2]))
     more = f"; the same applies to {listed([repr(name) for name in written])}" if written else ""
     related = [Related(other.place, f"'{other.identity[2]}' is used here") for other in others]
