@@ -391,3 +391,16 @@ def test_a_module_that_is_called_like_its_package(said: Callable[..., list[Findi
     assert said("import robot.robot", **{"robot/robot.py": robot}) == []
     (finding,) = said("from robot.robot import Leg", **{"robot/robot.py": robot})
     assert finding.message == "robot.robot has no 'Leg': the import fails with an ImportError"
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        # Only a script comes to the first import: its own folder is on the path.
+        ("if __name__ == '__main__':\n    from camera import WIDTH\nelse:\n    from .camera import WIDTH", 0),
+        ("if __name__ != '__main__':\n    from camera import WIDTH", 1),
+        ("if __name__ == '__main__':\n    from robot.camera import HEIGHT\nelse:\n    from .camera import WIDTH", 1),
+    ],
+)
+def test_an_import_of_a_file_that_may_be_the_program(said: Callable[..., list[Finding]], line: str, told: int) -> None:
+    assert len(said(line)) == told

@@ -26,6 +26,7 @@ from archlint.ros.python_modules import key_of
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -66,9 +67,10 @@ def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
             place, module = Place(file.relative, *span), absolute(file, written, level)
             if not module:
                 continue
-            missing = None if level else _beside(workspace, file, module, place)
+            beside = not level and span not in _of_scripts(workspace, file.relative)
+            missing = _beside(workspace, file, module, place) if beside else None
             missing = missing or _absent(workspace, file, module, place)
-            missing = missing or (None if level else _nowhere(workspace, file, module, names, place))
+            missing = missing or (_nowhere(workspace, file, module, names, place) if beside else None)
             yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
 
 
@@ -93,6 +95,19 @@ def _imports(code: facts.Facts) -> list[tuple[str, int, list[str], facts.Span]]:
     every: list[_Import] = [*everything_in(code.body, facts.Import), *everything_in(code.body, facts.ImportFrom)]
     left = [statement for statement in every if Itself(statement) not in forgiven]
     return [(*asked, statement.span) for statement in left for asked in _asked_for(statement)]
+
+
+def _of_scripts(workspace: WorkspaceIndex, file: str) -> frozenset[facts.Span]:
+    """The imports that a file comes to only while it is the program."""
+    return _in_main_guard(workspace, file) or frozenset()
+
+
+@kept_for_each_file
+def _in_main_guard(code: facts.Facts) -> frozenset[facts.Span]:
+    guard = main_guard(code)
+    body = [] if guard is None else guard.body
+    every: list[_Import] = [*everything_in(body, facts.Import), *everything_in(body, facts.ImportFrom)]
+    return frozenset(statement.span for statement in every)
 
 
 def _tried(code: facts.Facts) -> Iterator[list[facts.Stmt]]:
