@@ -45,6 +45,8 @@ CAUGHT = (*SPIN, "except KeyboardInterrupt:", "    pass")
         (*SPIN, "except (KeyboardInterrupt, ValueError):", "    rclpy.shutdown()  # here", "    sys.exit(0)"),
         (*SPIN, "except:", "    print('over')", "rclpy.shutdown()  # here"),
         ("try:", "    while rclpy.ok():", "        executor.spin_once()", *CAUGHT[2:], "rclpy.shutdown()  # here"),
+        (*CAUGHT, "if rclpy.ok():", "    node.commands.publish(Twist())", "rclpy.shutdown()  # here"),
+        (*CAUGHT, "node.stop_motors()", "rclpy.shutdown()  # here"),
         ("if True:", *(f"    {line}" for line in CAUGHT), "    finally:", "        rclpy.shutdown()  # here"),
     ],
 )
@@ -74,6 +76,9 @@ def test_a_shutdown_that_ctrl_c_comes_to(judge: Judge, lines: tuple[str, ...]):
             "threading.Thread(target=work).start()",
         ),
         (*CAUGHT, "rclpy.init()", "rclpy.shutdown()"),
+        # Another line fails before: the publisher's context is gone.
+        (*CAUGHT, "finally:", "    node.commands.publish(Twist())", "    rclpy.shutdown()"),
+        ("def stop():", "    node.commands.publish(Twist())", *CAUGHT, "stop()", "rclpy.shutdown()"),
     ],
 )
 def test_a_shutdown_that_is_the_first_or_no_error(judge: Judge, lines: tuple[str, ...]):

@@ -8,14 +8,14 @@ which says nothing.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import calls_in, statements_of
+from archlint.syntax.walk import calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -28,6 +28,9 @@ _OF_SIGNALS = frozenset(
     {"SignalHandlerOptions", "install_signal_handlers", "signal", "signal_handler_options", "uninstall_signal_handlers"}
 )
 """Words of a program that has its own way with signals."""
+_FAILS = frozenset({"call", "call_async", "publish", "send_goal", "send_goal_async", "wait_for_service"})
+"""Calls that raise an error, or wait in vain, once the context is shut down: what stands behind them is not what fails
+first."""
 _LEAVES = frozenset({"exit", "_exit", "quit", "init"})
 """Calls after which the program does not come further, or has a context again."""
 
@@ -50,41 +53,69 @@ def _shutdowns(code: facts.Facts) -> list[facts.Span]:
         if argument.keyword == "target"
     ]
     threads = {target.last_name for target in targets}
-    spans = [*_in_block(code.body)]
-    for function in everything_in(code.body, facts.Function):
+    functions = [*everything_in(code.body, facts.Function)]
+    failing = _FAILS | {function.name for function in functions if _asks_a_context(function.body, _FAILS)}
+    spans = [*_in_block(code.body, failing)]
+    for function in functions:
         if function.name not in threads:
-            spans += _in_block(function.body)
+            spans += _in_block(function.body, failing)
     return [*dict.fromkeys(spans)]
 
 
-def _in_block(block: Sequence[facts.Stmt]) -> Iterator[facts.Span]:
-    """The shutdowns behind the spins of a block and of those inside, but for functions and classes in it."""
+def _in_block(block: Sequence[facts.Stmt], failing: Set[str]) -> Iterator[facts.Span]:
+    """The shutdowns behind the spins of a block and of those inside, but for functions and classes in it.  What calls
+    something ``failing`` ends the program before."""
     for at, statement in enumerate(block):
         if isinstance(statement, (facts.Function, facts.Class)):
             continue
         if isinstance(statement, facts.Try) and _spins(statement.body):
-            yield from _behind(statement, block[at + 1 :])
+            yield from _behind(statement, block[at + 1 :], failing)
         for inner in statement.blocks:
-            yield from _in_block(inner)
+            yield from _in_block(inner, failing)
 
 
-def _behind(attempt: facts.Try, after: Sequence[facts.Stmt]) -> Iterator[facts.Span]:
+def _behind(attempt: facts.Try, after: Sequence[facts.Stmt], failing: Set[str]) -> Iterator[facts.Span]:
     """The first shutdown that a program comes to when Ctrl-C ends the spin in a ``try``."""
     catching = [handler for handler in attempt.handlers if handler.type is None or handler.caught & _INTERRUPT]
     goes_on = bool(catching) and not any(_leaves(statement) for statement in statements_of(catching[0].body))
     ways = [*(handler.body for handler in catching[:1]), attempt.final, *([after] if goes_on else [])]
-    shutdowns = (_first_shutdown(way) for way in ways)
-    yield from [span for span in shutdowns if span is not None][:1]
+    for way in ways:
+        span, fails = _first_shutdown(way, failing)
+        if span is not None:
+            yield span
+        if span is not None or fails:
+            return
 
 
-def _first_shutdown(statements: Sequence[facts.Stmt]) -> facts.Span | None:
+def _first_shutdown(statements: Sequence[facts.Stmt], failing: Set[str]) -> tuple[facts.Span | None, bool]:
+    """The first shutdown of some statements, and whether something fails before they come to it."""
     for statement in statements:
         match statement:
             case facts.Expression(value=facts.Call(args=[]) as call) if call.func.dotted == "rclpy.shutdown":
-                return call.span
+                return call.span, False
+        if _asks_a_context([statement], failing):
+            return None, True
         if _leaves(statement):
-            return None
-    return None
+            return None, False
+    return None, False
+
+
+def _asks_a_context(block: Sequence[facts.Stmt], failing: Set[str]) -> bool:
+    """Whether statements call something ``failing``, unless they ask before whether rclpy is there, or go on after an
+    error."""
+    for statement in block:
+        if isinstance(statement, facts.Try) and statement.handlers:
+            continue
+        if isinstance(statement, facts.If) and any(
+            call.func.attribute == "ok" for call in parts_of(statement.test, facts.Call)
+        ):
+            continue
+        calls = calls_in(statement) if not statement.blocks else ()
+        if any(call.func.last_name in failing for call in calls):
+            return True
+        if any(_asks_a_context(inner, failing) for inner in statement.blocks):
+            return True
+    return False
 
 
 def _leaves(statement: facts.Base) -> bool:
