@@ -33,7 +33,7 @@ class Listener(Node):
         self.ears = self.create_subscription(String, 'chatter', self.on_word, 10)
 
     def on_word(self, message):
-        self.get_logger().info(message.data)
+        self.get_logger().info(f'heard {message.data}')
 
 
 def main():
