@@ -1046,6 +1046,11 @@ def moves(self):
             "if tries > 5:\n            return 0\n        tries += 1\n        time.sleep(0.5)",
             [],
         ),
+        # Some attempts with hardly a pause in between, however many: as many as make a second are known to be so.
+        ("read()", "timeout > 0", "time.sleep(0.01)\n        timeout -= 1", []),
+        ("read()", "True", "time.sleep(0.01)\n        timeout -= 1\n        if timeout == 0:\n            break", []),
+        ("read()", "tries < 5000", "time.sleep(0.01)\n        tries += 1", ["SRV008"]),
+        ("read()", "timeout > 0", "time.sleep(0.5)\n        timeout -= 1", ["SRV008"]),
         ("30.0", "timeout > 0.0", "time.sleep(0.02)\n        timeout -= 0.02", ["SRV008"]),
         ("3.0", "timeout > 0.0", "time.sleep(0.02)", ["SRV008"]),
         ("3.0", "timeout > 0.0", "time.sleep(0.02)\n        timeout += 0.02", ["SRV008"]),

@@ -12,7 +12,7 @@ from archlint.syntax import facts
 from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import everything_in, names_in
 from archlint.syntax.tree import span_of
-from archlint.syntax.walk import called_name
+from archlint.syntax.walk import called_name, parts_of
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import Loop, SourceCode
@@ -50,9 +50,33 @@ def in_loops(
     for place in call.enclosing_loops[: max(0, len(call.enclosing_loops) - len(call.loops))]:
         seconds *= _iterations_at(code, place, unknown) if with_callers else math.inf
     seconds = seconds if stay.seconds > 0 else 0.0
-    if math.isinf(seconds) and stay.seconds <= TINY and not any(loop.tests for loop in loops if loop is not None):
+    open_ended = any(loop.tests and not _counts_rounds(loop, stay.seconds) for loop in loops if loop is not None)
+    if math.isinf(seconds) and stay.seconds <= TINY and not open_ended:
         return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
     return seconds
+
+
+def _counts_rounds(loop: Loop, pause: float) -> bool:
+    """Whether a loop gives up after a number of rounds that it counts one by one, and whose pauses, where the number
+    stands there, are less than a second in all."""
+    counters = {
+        name
+        for change in loop.body
+        if isinstance(change, facts.Augmented)
+        if isinstance(change.value, facts.Literal) and change.value.value == 1
+        for name in names_in(change.target)
+    }
+    checks = [check for check in loop.body if isinstance(check, facts.If) and any(map(_leaves, check.body))]
+    tests = [*loop.tests, *(check.test for check in checks)]
+    compares = [test for test in tests if isinstance(test, facts.Compare)]
+    bounds = [test for test in compares if not counters.isdisjoint(names_in(test))]
+    numbers = [part.value for test in bounds for part in parts_of(test, facts.Literal)]
+    return bool(bounds) and all(isinstance(number, (int, float)) and number * pause < 1.0 for number in numbers)
+
+
+def _leaves(statement: facts.Stmt) -> bool:
+    is_break = isinstance(statement, facts.Jump) and statement.kind == "break"
+    return is_break or isinstance(statement, (facts.Return, facts.Raise))
 
 
 def _iterations_at(code: SourceCode, place: Place, unknown: float) -> float:
