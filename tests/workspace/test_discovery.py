@@ -527,6 +527,14 @@ def test_a_link_to_nothing_is_told(tmp_path):
     )
 
 
+def test_a_link_into_an_empty_folder_waits_for_what_is_to_be_in_it(tmp_path):
+    plant(tmp_path, {"filled/b.py": ""})
+    (tmp_path / "submodule").mkdir()
+    for folder in ("submodule", "filled"):
+        (tmp_path / f"{folder}_setup.py").symlink_to(f"{folder}/setup.py")
+    assert look(tmp_path).problems == (Problem("filled_setup.py", 1, 1, "is a broken symbolic link"),)
+
+
 def test_a_link_to_nothing_among_sources_of_c_is_told_in_packages(tmp_path):
     plant(tmp_path, {"firmware/a.cpp": "", "robot/package.xml": "<package><name>robot</name></package>"})
     for folder in ("firmware", "robot"):

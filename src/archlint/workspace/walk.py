@@ -271,6 +271,16 @@ _OF_CATKIN = "/catkin/cmake/toplevel.cmake"
 """What catkin links into the source folder of each workspace: of ROS 1, and with nothing of the workspace in it."""
 
 
+def _leads_into_nothing(link: str) -> bool:
+    """Whether a symbolic link leads into an empty folder.  Git keeps none: it is that of a submodule which no
+    ``.gitmodules`` names any more, or of something that is to be fetched, and the link is right once it is filled."""
+    try:
+        folder = os.path.dirname(os.path.normpath(os.path.join(os.path.dirname(link), os.readlink(link))))
+        return folder != os.path.dirname(link) and not os.listdir(folder)
+    except OSError:
+        return False
+
+
 def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> tuple[str, str | None] | None:
     """What to say of a file whose status cannot be had, and what brings it; None for one that has just been removed."""
     if error.errno == errno.ENOENT:
@@ -278,7 +288,7 @@ def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> tuple[str, str |
         if submodule is not None:
             message = f"is a symbolic link into the git submodule '{submodule}', which is not checked out"
             return message, "git submodule update --init"
-        if entry.is_symlink() and os.readlink(entry.path).endswith(_OF_CATKIN):
+        if entry.is_symlink() and (os.readlink(entry.path).endswith(_OF_CATKIN) or _leads_into_nothing(entry.path)):
             return None
         return ("is a broken symbolic link", None) if entry.is_symlink() else None
     if error.errno == errno.ELOOP:
