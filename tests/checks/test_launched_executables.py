@@ -37,6 +37,19 @@ def test_what_a_build_with_cmake_leaves_open(findings, cmake, found):
     assert len(findings("LCH001", node(exec="driver"), **files)) == found
 
 
+@pytest.mark.parametrize(
+    ("package", "help"),
+    [
+        ("turtlesim", "give this package a name of its own, so that launch finds that of ROS"),
+        ("my_turtles", "add it to setup.py, or start one that the package installs: talker"),
+    ],
+)
+def test_a_package_that_hides_the_one_of_ros_with_its_name(findings, package, help):
+    own = {"package.xml": manifest(package), "setup.py": SETUP.replace("robot", package)}
+    (finding,) = findings("LCH001", node(pkg=package, exec="turtlesim_node"), **own)
+    assert finding.help == help
+
+
 def test_an_executable_of_another_workspace(findings):
     assert findings("LCH001", node(pkg="nav2_amcl", exec="amcl")) == []
 

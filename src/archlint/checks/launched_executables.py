@@ -17,7 +17,7 @@ from archlint.launch.kinds import StartedKind
 from archlint.launch_files.shown_files import is_shown_only
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
 from archlint.packaging.entry_points import is_empty, starts_nothing
-from archlint.ros.released_programs import programs_instead
+from archlint.ros.released_programs import programs_instead, programs_of
 from archlint.suggestions import did_you_mean, listed, nearest
 
 if TYPE_CHECKING:
@@ -340,6 +340,11 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> _Advic
     if len(meant) == 1:  # nearer than another node of a similar name
         help = f"install it in {build} under the name '{name}'"
         return _Advice(f"; {meant[0]} exists but is not installed", help, is_left_out=True)
+    if name in programs_of(installs.package):
+        return _Advice(
+            "; the package of ROS with that name does, and this one hides it",
+            "give this package a name of its own, so that launch finds that of ROS",
+        )
     others = f", or start one that the package installs: {listed(known)}" if known else ""
     return _Advice(did_you_mean(name, known), f"add it to {build}{others}")
 

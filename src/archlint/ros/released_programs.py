@@ -54,6 +54,11 @@ _BEFORE_HUMBLE: Mapping[str, frozenset[str]] = {"controller_manager": frozenset(
 """Those of them that Humble and all later distributions lack."""
 
 
+def programs_of(package: str) -> list[str]:
+    """The programs of a package of ROS; none where they are not known."""
+    return _PROGRAMS.get(package, "").split()
+
+
 def programs_instead(package: str, name: str, since_humble: bool = False) -> list[str]:
     """The programs of a package which does not have one of a name; empty where it has, or may have it.  With
     ``since_humble`` it is the package as Humble and later distributions have it."""
@@ -63,4 +68,4 @@ def programs_instead(package: str, name: str, since_humble: bool = False) -> lis
     return [] if may_be else programs
 
 
-__all__ = ["programs_instead"]
+__all__ = ["programs_instead", "programs_of"]
