@@ -16,6 +16,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.copies import are_copies
+from archlint.packaging.idle_dependencies import is_named_by_no_file
 from archlint.packaging.missing_imports import missing_imports
 from archlint.suggestions import listed
 from archlint.workspace.manifest import condition_verdict
@@ -116,15 +117,26 @@ def _undeclared(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> F
     names = [package, *(end for _, end in steps)]
     here = needs[package][other]
     copies = _copies(workspace, steps, needs)
+    idle = _idle_step(workspace, others, needs)
+    advice = f"remove {copies[0]}: it is a copy of this file" if copies else _cure(workspace, package, [here], other)
     return finding(
         "PKG003",
         here,
         f"packages depend on each other in a circle: {' → '.join(names)}; '{package}' uses '{other}' here without "
         "declaring it",
-        help=f"remove {copies[0]}: it is a copy of this file" if copies else _cure(workspace, package, [here], other),
+        help=f"remove the dependency of '{idle[0]}' on '{idle[1]}': nothing in '{idle[0]}' uses it" if idle else advice,
         related=[Related(needs[start][end], f"'{start}' depends on '{end}' here") for start, end in others],
         identity=tuple(sorted(names[1:])),
     )
+
+
+def _idle_step(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> Step | None:
+    """The first step of a circle that a manifest declares, and for which no file of the package has the name."""
+    for package, other in steps:
+        manifest = workspace.packages[package].manifest.relative
+        if needs[package][other].file == manifest and is_named_by_no_file(workspace, package, other):
+            return package, other
+    return None
 
 
 def _copies(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> list[str]:

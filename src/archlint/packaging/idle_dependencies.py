@@ -67,4 +67,12 @@ def _names_of_the_workspace(workspace: WorkspaceIndex) -> frozenset[str]:
     return frozenset(words | parts | {part.replace("-", "_") for part in parts})
 
 
-__all__ = ["is_idle"]
+def is_named_by_no_file(workspace: WorkspaceIndex, package: str, name: str) -> bool:
+    """Whether no text of a package has a name besides its manifest."""
+    word, manifest = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)"), workspace.packages[package].manifest.relative
+    paths = workspace.tree.files_below(posixpath.dirname(manifest) or workspace.tree.top)
+    texts = (path for path in paths if path != manifest and posixpath.splitext(path)[1] in _TEXT)
+    return not any(word.search(workspace.tree.text(path) or "") for path in texts)
+
+
+__all__ = ["is_idle", "is_named_by_no_file"]
