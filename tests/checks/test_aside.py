@@ -929,3 +929,17 @@ def test_a_module_of_launch_names_no_file_of_a_package(tmp_path, monkeypatch):
     (tmp_path / "launch/robot.launch.py").write_text(started, encoding="utf-8")
     rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
     assert [finding.severity for finding in rows if finding.code == "API005"] == [Severity.ERROR]
+
+
+@pytest.mark.parametrize(
+    ("line", "told"), [("from secret_msgs.msg import Word", 0), ("from std_msgs.msg import Char", 1)]
+)
+def test_a_script_that_stops_at_an_import_comes_to_nothing_else(tmp_path, monkeypatch, line: str, told: int):
+    files = {"package.xml": MANIFEST.strip(), "setup.py": SETUP.replace("{more}", ""), "robot/__init__.py": ""}
+    files |= {"robot/driver.py": "def main(): pass\n", "robot/reference.py": f"{line}\n{SLEEPS}"}
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), Settings(unused_files=True), cached=False, jobs=1)).findings
+    assert len([finding for finding in rows if finding.code == "EXE004"]) == told

@@ -453,6 +453,22 @@ def test_a_circle_that_one_package_does_not_declare_is_told_where_it_uses_the_ot
 
 
 @pytest.mark.parametrize(
+    ("hand", "help"),
+    [
+        ("", "remove the dependency of 'hand' on 'talk': nothing in 'hand' uses it"),
+        ("from talk.msg import Word\nprint(Word)\n", "move what both need into a separate package"),
+    ],
+)
+def test_a_circle_that_an_unused_dependency_closes(lint: Lint, hand: str, help: str):
+    own = {
+        "arm/arm/a.py": node("from hand.msg import Finger\nprint(Finger)"),
+        "hand/hand/a.py": f"import rclpy\n{hand}",
+    }
+    (found,) = lint({**CIRCLE, **own}, code="PKG003")
+    assert (found.place.file, found.help) == ("talk/talk/a.py", help)
+
+
+@pytest.mark.parametrize(
     ("included", "help"),
     [
         ("drive.launch.xml", "move what uses it from here to a launch file of 'all': other packages include this file"),
@@ -460,7 +476,9 @@ def test_a_circle_that_one_package_does_not_declare_is_told_where_it_uses_the_ot
     ],
 )
 def test_a_launch_file_in_a_circle_is_not_moved_where_others_include_it(lint: Lint, included: str, help: str):
-    include = f'<include file="$(find-pkg-share talk)/launch/{included}"/>' if included else ""
+    include = (
+        f'<include file="$(find-pkg-share talk)/launch/{included}"/>' if included else '<node pkg="talk" exec="speak"/>'
+    )
     drive = '<launch><node pkg="all" exec="watch"/></launch>'
     files = {
         "talk/package.xml": manifest("talk", *depends("rclpy")),
@@ -1111,3 +1129,41 @@ def test_the_package_of_an_include_is_named_by_who_calls_the_helper(lint: Lint):
 
 
 PART = "from launch import LaunchDescription\n\ndef generate_launch_description():\n    return LaunchDescription()\n"
+
+
+@pytest.mark.parametrize(
+    ("submodule", "said"),
+    [
+        ("secret_ros", "which its package.xml does not declare"),  # not checked out: it may be in there
+        ("hidden_ros", "neither in this workspace nor released"),
+        ("talk", "neither in this workspace nor released"),  # checked out, and it is not there
+    ],
+)
+def test_a_package_that_a_submodule_may_bring(lint: Lint, submodule: str, said: str):
+    modules = f'[submodule "{submodule}"]\n\tpath = {submodule}\n\turl = https://example.org/x.git\n'
+    (found,) = lint(launching(started("secret_driver")) | {".gitmodules": modules})
+    assert said in found.message
+    assert found.message.startswith("package 'talk' starts a node of 'secret_driver', which ")
+
+
+@pytest.mark.parametrize(("parameters", "told"), [("my_package", 0), ("talk", 1)])
+def test_a_launch_file_of_a_template_in_which_no_name_was_put_yet(lint: Lint, parameters: str, told: int):
+    config = f"name='driver', parameters=[{{'owner': '{parameters}'}}]"
+    action = f"Node(package='secret_driver', executable='run_it', {config})"
+    assert len(lint(launching(action))) == told
+
+
+@pytest.mark.parametrize(("entry", "told"), [("main", 0), ("wander", 1)])
+def test_a_copied_program_that_no_entry_point_starts(lint: Lint, entry: str, told: int):
+    wander = (
+        "from secret_msgs.action import Wander\n" + node() + "print(Wander)\nif __name__ == '__main__':\n    main()\n"
+    )
+    entries = f"entry_points={{'console_scripts': ['talk = talk.{entry}:main']}}"
+    files = {
+        "talk/package.xml": manifest("talk", *depends("rclpy")),
+        "talk/setup.py": f"from setuptools import setup\nsetup(name='talk', packages=['talk'], {entries})\n",
+        "talk/talk/__init__.py": "",
+        "talk/talk/main.py": node(),
+        "talk/talk/wander.py": wander,
+    }
+    assert len(lint(files)) == told

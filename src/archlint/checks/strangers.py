@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_disused
+from archlint.analysis.aside import is_disused, is_not_installed
 from archlint.checks.dependency_uses import How, Use
 from archlint.checks.registry import finding
-from archlint.connections.parts_elsewhere import is_fetched
+from archlint.connections.parts_elsewhere import is_fetched, may_be_in_a_submodule
 from archlint.finding import Finding, Related
-from archlint.packaging.absent_packages import is_from_nowhere, is_told_as_another
+from archlint.packaging.absent_packages import is_from_nowhere, is_told_as_another, is_untouched_template
 from archlint.packaging.missing_imports import missing_imports
 from archlint.ros.mistaken_dependencies import mistaken
 from archlint.suggestions import listed
@@ -29,7 +29,7 @@ def strangers(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]) 
     """One finding for all such packages that the code and the launch files of a package name."""
     by_name: dict[str, list[Use]] = {}
     for use in uses:
-        if use.how in _STOPS and not is_disused(workspace, use.place.file):
+        if use.how in _STOPS and not _is_left(workspace, use.place.file):
             by_name.setdefault(use.needed, []).append(use)
     names = [
         name
@@ -37,12 +37,23 @@ def strangers(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]) 
         if is_from_nowhere(workspace, name)
         and not is_told_as_another(workspace, name)
         and not is_fetched(workspace, name)
+        and not may_be_in_a_submodule(workspace, name)
     ]
     told = _told_lines(workspace) if names else set()
     rows = {name: [use for use in by_name[name] if (use.place.file, use.place.line) not in told] for name in names}
     named = {name: left for name, left in rows.items() if left}
     if named:
         yield _finding(package, named)
+
+
+def _is_left(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file is put aside, nobody installs it, or it is a template in which no name was put yet: it has no part
+    in what the manifest declares."""
+    return (
+        is_disused(workspace, file)
+        or is_not_installed(workspace, file)
+        or is_untouched_template(workspace, file) is True
+    )
 
 
 def _told_lines(workspace: WorkspaceIndex) -> set[tuple[str, int]]:

@@ -16,7 +16,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.strangers import strangers
 from archlint.checks.unknown_dependencies import names_meant
-from archlint.connections.parts_elsewhere import is_fetched
+from archlint.connections.parts_elsewhere import is_fetched, may_be_in_a_submodule
 from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
 from archlint.packaging.skipped_packages import skipped_packages
@@ -56,10 +56,11 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
 
 
 def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
-    """Whether a package is known: of this workspace, of ROS, in a ``.repos`` file, or to another manifest here.  Of a
+    """Whether a package is known: of this workspace, of ROS, in a ``.repos`` file, perhaps in a
+    submodule that is not checked out, or to another manifest here.  Of a
     name that is nowhere nobody knows what to declare, and rosdep stops at it."""
     known = name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
-    return known or is_fetched(workspace, name)
+    return known or is_fetched(workspace, name) or may_be_in_a_submodule(workspace, name)
 
 
 def _spare(workspace: WorkspaceIndex, file: str) -> int:

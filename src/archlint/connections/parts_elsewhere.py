@@ -63,6 +63,30 @@ def is_fetched(workspace: WorkspaceIndex, package: str) -> bool:
     return _plain(package) in _repositories(workspace)
 
 
+def may_be_in_a_submodule(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether a git submodule that is not checked out begins with the word that a package does: ``arm_ros`` may bring
+    ``arm_description``."""
+    first = re.split(r"[_-]", package.lower())[0]
+    return len(first) > _SHORT and any(first in _submodule_words(name) for name in _absent_submodules(workspace))
+
+
+_SHORT = 3
+_COMMON = frozenset({"robot", "ros2", "robots"})
+"""First words that packages of very different robots have."""
+
+
+def _submodule_words(name: str) -> set[str]:
+    return {re.split(r"[_-]", name.lower())[0]} - _COMMON
+
+
+@once
+def _absent_submodules(workspace: WorkspaceIndex) -> tuple[str, ...]:
+    every = workspace.tree.files_below(workspace.tree.top)
+    folders = {folder for path in every for folder in posixpath.dirname(path).split("/")}
+    text = workspace.tree.text(posixpath.join(workspace.tree.top, ".gitmodules")) or ""
+    return tuple(name for path in paths_of_submodules(text) if (name := _name(path)) not in folders)
+
+
 def _plain(name: str) -> str:
     return re.sub(r"[_-]", "", name).lower().removesuffix(".git")
 
@@ -71,4 +95,4 @@ def _name(path: str) -> str:
     return posixpath.basename(path.rstrip("/"))
 
 
-__all__ = ["has_parts_elsewhere", "is_fetched"]
+__all__ = ["has_parts_elsewhere", "is_fetched", "may_be_in_a_submodule"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -12,6 +12,7 @@ from archlint.analysis.aside import is_not_installed
 from archlint.checks.folding import all_sites, with_others
 from archlint.checks.registry import registered
 from archlint.finding import Finding, Related, Severity
+from archlint.packaging.absent_packages import is_from_nowhere
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -40,16 +41,30 @@ def as_information(findings: Iterable[Finding], files: AbstractSet[str]) -> list
 
 def without_dead_ends(findings: Iterable[Finding], files: AbstractSet[str], workspace: WorkspaceIndex) -> list[Finding]:
     """The findings without those about code in some files that nobody can run: what imports beside itself
-    (``from .arm import Arm``) cannot be started by its path, and a folder without ``__init__.py`` is not installed."""
+    (``from .arm import Arm``) cannot be started by its path, and a folder without ``__init__.py`` is not installed.
+    What imports interfaces of a package that is nowhere stops there."""
     dead = {file for file in files if _is_dead_end(workspace, file)}
     return [finding for finding in findings if finding.place.file not in dead or not _is_about_calls(finding)]
 
 
 def _is_dead_end(workspace: WorkspaceIndex, file: str) -> bool:
     init, code = posixpath.join(posixpath.dirname(file), "__init__.py"), workspace.facts_at(file)
-    if code is None or workspace.package_of(file) is None or workspace.tree.is_file(init):
+    if code is None or workspace.package_of(file) is None:
+        return False
+    if any(is_from_nowhere(workspace, package) for package in _interface_packages(code)):
+        return True
+    if workspace.tree.is_file(init):
         return False
     return any(isinstance(statement, facts.ImportFrom) and statement.level > 0 for statement in code.body)
+
+
+def _interface_packages(code: facts.Facts) -> Iterator[str]:
+    """The packages of whose interfaces a file imports some as it starts."""
+    for statement in code.body:
+        if isinstance(statement, facts.ImportFrom) and not statement.level:
+            package, _, kind = statement.module.partition(".")
+            if kind in ("action", "msg", "srv"):
+                yield package
 
 
 _ENDINGS = (".py", ".pyw")

@@ -8,10 +8,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.cpp_nodes import CPP_SOURCES
-from archlint.analysis.kept import once
+from archlint.analysis.kept import once, once_for_each_file
 from archlint.analysis.pinned import may_be_on_focal
 from archlint.ros import packages
 from archlint.suggestions import distance, nearest
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -82,6 +84,16 @@ _BELOW = re.compile(r"^\$\(find-pkg-share [\w.-]+\)/?")
 def is_placeholder(package: str) -> bool:
     """Whether a name stands for another one that was to be put in."""
     return _PLACEHOLDER.fullmatch(package) is not None
+
+
+@once_for_each_file
+def is_untouched_template(file_facts: facts.Facts) -> bool:
+    """Whether a file of Python has the name of no package where one was to be put in: nobody has run it yet."""
+    texts = (literal.value for literal in everything_in(file_facts.body, facts.Literal))
+    return any(isinstance(text, str) and (text in _MINE or is_placeholder(text)) for text in texts)
+
+
+_MINE = frozenset({"my_package", "my_package_name"})
 
 
 def package_meant(workspace: WorkspaceIndex, package: str, path: str, launch_file: str) -> str | None:
