@@ -21,7 +21,8 @@ def names(findings):
     """What is found in a CMakeLists.txt, as messages, each with its help."""
 
     def run(text: str) -> list[tuple[str, str]]:
-        found = findings("PKG012", **{"package.xml": CMAKE, "src/talker.cpp": SOURCE, "CMakeLists.txt": HEAD + text})
+        text = f"{HEAD}{text}ament_package()\n"
+        found = findings("PKG012", **{"package.xml": CMAKE, "src/talker.cpp": SOURCE, "CMakeLists.txt": text})
         return [(finding.message, finding.help) for finding in found]
 
     return run
@@ -160,7 +161,7 @@ def beside(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
             "tools/package.xml": manifest("tools"),
             "tools/setup.py": f"from setuptools import setup\nsetup(name='tools', packages=['tools'], {data_files})\n",
             "robot/package.xml": CMAKE,
-            "robot/CMakeLists.txt": f"{HEAD}{line}\n",
+            "robot/CMakeLists.txt": f"{HEAD}{line}\nament_package()\n",
             "archlint.toml": 'select = ["PKG012"]\n',
         }
         for name, text in files.items():
@@ -215,3 +216,91 @@ def test_a_variable_that_is_almost_the_name_of_the_project(names, name):
 )
 def test_a_variable_that_may_be_set(names, text):
     assert names(text) == []
+
+
+LINTS = "if(BUILD_TESTING)\n  find_package(ament_lint_auto REQUIRED)\n  {}()\nendif()\nament_package()\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "wrong", "meant"),
+    [
+        (
+            LINTS.format("ament_lint_auto_find_test_files"),
+            "ament_lint_auto_find_test_files",
+            "ament_lint_auto_find_test_dependencies",
+        ),
+        (
+            TALKER + "ament_target_dependancies(talker rclcpp)\n",
+            "ament_target_dependancies",
+            "ament_target_dependencies",
+        ),
+        ("ament_packge()\n", "ament_packge", "ament_package"),
+        (
+            'rosidl_generate_interface(robot "msg/Speed.msg")\n',
+            "rosidl_generate_interface",
+            "rosidl_generate_interfaces",
+        ),
+    ],
+)
+def test_a_command_that_is_almost_one_of_ament(names, text, wrong, meant):
+    assert names(text)[0] == (
+        f"there is no command {wrong}(): the build stops; did you mean {meant}()?",
+        f"write {meant}",
+    )
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        LINTS.format("ament_lint_auto_find_test_dependencies"),
+        "macro(ament_packages)\n  ament_package()\nendmacro()\nament_packages()\n",
+        "if(COMMAND ament_packages)\n  ament_packages()\nendif()\nament_package()\n",
+        "if(WITH_GUI)\n  ament_packages()\nendif()\nament_package()\n",
+        "rclcpp_components_register_nodes(talker)\nament_package()\n",
+        "ament_add_benchmark(talker)\nament_package()\n",
+    ],
+)
+def test_a_command_that_there_is_or_may_be(names, text):
+    assert [row for row in names(text) if "command" in row[0]] == []
+
+
+INSTALLS = TALKER + "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"
+
+
+def test_a_package_that_nothing_registers(findings):
+    text = HEAD + INSTALLS
+    (found,) = findings("PKG012", **{"package.xml": CMAKE, "src/talker.cpp": SOURCE, "CMakeLists.txt": text})
+    assert found.message == "nothing calls ament_package(): ros2 run and launch do not find the package 'robot'"
+    assert (found.place.line, found.help) == (5, "write ament_package() at the end of this file")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        HEAD + INSTALLS + "ament_package()\n",
+        HEAD + INSTALLS + "if(WITH_ROS)\n  ament_package()\nendif()\n",
+        HEAD + INSTALLS + "robot_package(talker)\n",
+        HEAD.replace("ament_cmake ", "ament_cmake_auto ") + INSTALLS + "ament_auto_package()\n",
+        HEAD.replace("find_package(ament_cmake REQUIRED)\n", "") + INSTALLS,
+        HEAD + INSTALLS + "install(FILES robot DESTINATION share/ament_index/resource_index/packages)\n",
+        HEAD + INSTALLS + "include(elsewhere/ends.cmake)\n",
+    ],
+)
+def test_a_package_that_something_registers_or_may(findings, text):
+    files = {"package.xml": CMAKE, "src/talker.cpp": SOURCE, "CMakeLists.txt": text}
+    assert [found for found in findings("PKG012", **files) if "ament_package" in found.message] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("find_package(robot REQUIRED)\n" + GENERATES, 1),
+        ("find_package(std_msgs REQUIRED)\n" + GENERATES, 0),
+        ("find_package(robot)\n" + GENERATES, 0),
+        ("set(CMAKE_MODULE_PATH ${CMAKE_SOURCE_DIR}/cmake)\nfind_package(robot REQUIRED)\n" + GENERATES, 0),
+        ("find_package(robot REQUIRED)\n", 0),  # a library of the system may be called so
+    ],
+)
+def test_a_package_that_looks_for_itself(names, text, told):
+    message = "find_package() is given 'robot', this package itself, which is not installed yet: a clean build stops"
+    assert [row[0] for row in names(text)] == [message] * told

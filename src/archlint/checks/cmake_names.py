@@ -20,13 +20,14 @@ from archlint.suggestions import did_you_mean, nearest
 from archlint.workspace.closure import closure
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.systems.model import System, WorkspaceIndex
-    from archlint.workspace.installed import FoundPackage, Installs, NameInCMake
+    from archlint.workspace.installed import FoundPackage, Installs, MisspeltCommand, NameInCMake
 
 
 @rule("PKG012", scope=Scope.WORKSPACE)
 def unknown_cmake_name(system: System, options: Options) -> Iterator[Finding]:
-    """Targets that no command makes, and packages that none finds, where CMake stops."""
+    """Targets, packages and commands that are not there, where CMake stops, and packages that nothing registers."""
     workspace = workspace_of(system)
     if workspace is None:
         return
@@ -38,9 +39,13 @@ def unknown_cmake_name(system: System, options: Options) -> Iterator[Finding]:
         if is_aside(workspace, package.manifest.relative):
             continue
         yield from (_variable(installs, named) for named in installs.unset_variables)
+        yield from map(_command, installs.misspelt)
+        if installs.unregistered_at is not None:
+            yield _unregistered(installs, installs.unregistered_at)
         if installs.names_of_nothing:
             yield from _of_build(workspace, installs, options)
         yield from (_of_python(installs, asked) for asked in installs.required if _is_of_python(workspace, asked.name))
+        yield from (_itself(installs, asked) for asked in installs.required if _is_itself(installs, asked))
 
 
 _PYTHON_PACKAGES = frozenset(
@@ -67,6 +72,44 @@ def _of_python(installs: Installs, asked: FoundPackage) -> Finding:
         help="remove the line: an <exec_depend> in package.xml is enough",
         identity=(installs.package, "find_package", asked.name),
         group=(asked.place.file, "python", asked.name),
+    )
+
+
+def _is_itself(installs: Installs, asked: FoundPackage) -> bool:
+    """Whether a package that generates interfaces, which the build installs at its end, looks for itself before."""
+    return asked.name == installs.package and bool(installs.generated) and "CMAKE_MODULE_PATH" not in installs.words
+
+
+def _itself(installs: Installs, asked: FoundPackage) -> Finding:
+    return finding(
+        "PKG012",
+        asked.place,
+        f"find_package() is given '{asked.name}', this package itself, which is not installed yet: a clean build stops",
+        help="remove the line: a target gets the types of its own package with rosidl_get_typesupport_target()",
+        identity=(installs.package, "find_package", asked.name),
+        group=(asked.place.file, "itself", asked.name),
+    )
+
+
+def _command(misspelt: MisspeltCommand) -> Finding:
+    return finding(
+        "PKG012",
+        misspelt.place,
+        f"there is no command {misspelt.name}(): the build stops; did you mean {misspelt.meant}()?",
+        help=f"write {misspelt.meant}",
+        identity=(misspelt.place.file, "command", misspelt.name),
+        group=(misspelt.place.file, "command", misspelt.name),
+    )
+
+
+def _unregistered(installs: Installs, last: Place) -> Finding:
+    return finding(
+        "PKG012",
+        last,
+        f"nothing calls ament_package(): ros2 run and launch do not find the package '{installs.package}'",
+        help="write ament_package() at the end of this file",
+        identity=(installs.package, "ament_package"),
+        group=(last.file, "ament_package"),
     )
 
 

@@ -46,7 +46,7 @@ def read_names(installs: Installs, steps: Sequence[Step]) -> None:
     always = [step for step in steps if step.of_tests or not step.conditional]
     named = [name for step in always for name in (*_of_targets(step), *_own_library(step, installs.package))]
     installs.names_of_nothing += [name for name in named if name.name not in there]
-    if any(_may_find(step.command) for step in steps):
+    if any(may_find(step.command) for step in steps):
         return
     installs.names_of_nothing += [
         name
@@ -152,14 +152,14 @@ _FINDS_NOTHING = re.compile(
 """Commands that find no package but by their own arguments."""
 
 
-def _may_find(command: Command) -> bool:
+def may_find(command: Command) -> bool:
     return _FINDS_NOTHING.fullmatch(command.name) is None
 
 
 def may_make_anything(command: Command) -> bool:
     """Whether a command that is not known here is given nothing: ``acme_auto_package()`` makes targets of names that it
     works out, and finds packages."""
-    return not command.arguments and _may_find(command)
+    return not command.arguments and may_find(command)
 
 
 def _targets_of(command: Command) -> Sequence[Argument]:
@@ -185,4 +185,4 @@ def _place(argument: Argument, step: Step) -> Place:
     return Place(step.file, argument.line, argument.column, argument.line, argument.column + len(argument.text))
 
 
-__all__ = ["may_make_anything", "misnamed_project", "misspelt_variables", "read_names"]
+__all__ = ["may_find", "may_make_anything", "misnamed_project", "misspelt_variables", "read_names"]

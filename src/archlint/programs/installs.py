@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import Protocol
 
 from archlint.finding import Place
+from archlint.programs.cmake_commands import misspelt_commands, unregistered_at
 from archlint.programs.cmake_names import may_make_anything, misnamed_project, misspelt_variables, read_names
 from archlint.programs.cmake_targets import TargetNames
 from archlint.programs.installed_targets import programs_astray
@@ -94,6 +95,8 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
         installs.astray = programs_astray(installs, run.steps, targets)
         read_names(installs, run.steps)
         installs.unset_variables += misspelt_variables(run.steps)
+    installs.misspelt += misspelt_commands(run.steps, installs.words)
+    installs.unregistered_at = None if run.open else unregistered_at(installs, run.steps)
     installs.names_of_nothing += misnamed_project(installs, run.steps)
     installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words
 

@@ -87,6 +87,15 @@ class NameInCMake:
 
 
 @dataclass(frozen=True)
+class MisspeltCommand:
+    """A command of CMake that nothing defines, and the one that was ``meant``."""
+
+    name: str
+    meant: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class BuiltTarget:
     """A program or library that CMake commands make of ``sources`` (shown paths); ``place`` is where they say what it
     depends on, or else where it is made."""
@@ -182,6 +191,10 @@ class Installs:
     """The targets that the CMake files make."""
     unset_variables: list[NameInCMake] = field(default_factory=list)
     """Variables that the CMake files read and do not set, with almost the name of ``PROJECT_NAME``."""
+    misspelt: list[MisspeltCommand] = field(default_factory=list)
+    """Commands that the CMake files call and that nothing defines."""
+    unregistered_at: Place | None = None
+    """The last command of the CMakeLists.txt, where nothing in the build enters the package into the index."""
     looked_for: frozenset[str] = frozenset()
     """The packages that the CMake files look for, in any case or not."""
     built: list[BuiltTarget] = field(default_factory=list)
