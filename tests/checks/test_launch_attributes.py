@@ -179,3 +179,63 @@ def generate_launch_description():
 """
     (told,) = findings("LCH005", **{"launch/more.launch.py": text})
     assert told.help == f"this call raises TypeError before anything is started{help}"
+
+
+PIECES = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, GroupAction, SetEnvironmentVariable, TimerAction
+from launch.conditions import IfCondition
+from launch.substitutions import Command, EnvironmentVariable, LaunchConfiguration, TextSubstitution
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+
+def generate_launch_description():
+    piece = {}
+    return LaunchDescription([Node(package='robot', executable='talker')])
+"""
+
+
+@pytest.mark.parametrize(
+    ("piece", "told"),
+    [
+        (
+            "LaunchConfiguration('a', default_value='b')",
+            "LaunchConfiguration has no argument 'default_value'; it is called 'default'",
+        ),
+        (
+            "DeclareLaunchArgument('a', default='b')",
+            "DeclareLaunchArgument has no argument 'default'; it is called 'default_value'",
+        ),
+        (
+            "EnvironmentVariable('A', default='b')",
+            "EnvironmentVariable has no argument 'default'; it is called 'default_value'",
+        ),
+        (
+            "ParameterValue(Command(['xacro ', 'a']), value_typ=str)",
+            "ParameterValue has no argument 'value_typ'; did you mean 'value_type'?",
+        ),
+        ("TimerAction(period=1.0, action=[])", "TimerAction has no argument 'action'; did you mean 'actions'?"),
+    ],
+)
+def test_a_piece_of_a_launch_file_that_its_class_refuses(findings, piece: str, told: str):
+    (found,) = findings("LCH005", **{"launch/b.launch.py": PIECES.format(piece)})
+    assert found.message == told
+    assert (found.place.line, found.help) == (9, "this call raises TypeError before anything is started")
+
+
+@pytest.mark.parametrize(
+    "piece",
+    [
+        "LaunchConfiguration('a', default='b')",
+        "LaunchConfiguration(variable_name='a')",
+        "DeclareLaunchArgument('a', default_value='b', choices=['b'], description='c', condition=IfCondition('true'))",
+        "EnvironmentVariable('A', default_value='b')",
+        "TextSubstitution(text='a')",
+        "SetEnvironmentVariable(name='A', value='b', condition=IfCondition('true'))",
+        "GroupAction(actions=[], scoped=True, forwarding=False, launch_configurations={})",
+        "TimerAction(period=1.0, actions=[], cancel_on_shutdown=True)",
+        "LaunchConfiguration('a', **{'default': 'b'})",
+    ],
+)
+def test_a_piece_of_a_launch_file_that_its_class_takes(findings, piece: str):
+    assert findings("LCH005", **{"launch/b.launch.py": PIECES.format(piece)}) == []

@@ -27,8 +27,12 @@ _RENAMED = {
     "node_plugin": "plugin",
     "type": "exec",
     "ns": "namespace",
+    "default": "default_value",
+    "default_value": "default",
     "launch_description_sources": "launch_description_source",
 }
+"""What an argument is called instead, where that is one of the action's: the first name is of an older release, of
+ROS 1, or of another class."""
 
 _OF_SEVERAL = frozenset({"arguments", "parameters", "remappings", "ros_arguments"})
 """Arguments that take several values."""

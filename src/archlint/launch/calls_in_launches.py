@@ -40,6 +40,7 @@ from archlint.launch.objects import LaunchObject, argument, known_text, made_by_
 from archlint.launch.perform_calls import is_without_context, perform_method, stops_the_launch
 from archlint.launch.substitutions.paths import package_prefix, package_share
 from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS, LaunchClass
+from archlint.launch.unknown_keywords import note_of_constructor
 from archlint.libraries.python.effects import path_join
 
 if TYPE_CHECKING:
@@ -62,6 +63,7 @@ NODES = frozenset(
 def _launch_object(run: LaunchRun, call: ApiUse) -> LaunchObject:
     """Note, too, where nodes and declarations are made, whether they then become part of the launch or not."""
     instance = calls.made_object(run, call)
+    note_of_constructor(run, instance)
     if instance.place is None:
         return instance
     if instance.kind in NODES:

@@ -19,7 +19,6 @@ from archlint.launch.actions.missing_arguments import note_missing_arguments
 from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.actions.scopes import remap
 from archlint.launch.kinds import FileKind, StartedKind
-from archlint.launch.mistakes import UnknownAttribute
 from archlint.launch.named_files import FileReference
 from archlint.launch.namespaces import absolute, prefix_namespace
 from archlint.launch.objects import LaunchObject, argument, class_name, kind_of, known_text
@@ -28,6 +27,7 @@ from archlint.launch.parameters import Parameter, file_use, parameters_of
 from archlint.launch.shared_paths import is_written, note_paths, note_value
 from archlint.launch.started import Remap, Started
 from archlint.launch.tables import LaunchClass
+from archlint.launch.unknown_keywords import note_of_process
 from archlint.libraries.texts import text_of_value
 from archlint.model import Text
 
@@ -63,7 +63,7 @@ def _certain_text(value: Value | None, missing: str) -> Text:
 
 
 def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started:
-    _check_keywords(run, entity)
+    note_of_process(run, entity)
     executable = entity.argument("plugin" if kind == StartedKind.COMPONENT else "executable")
     namespace = entity.argument("namespace")
     name = entity.argument("name")
@@ -190,18 +190,6 @@ def _split(text: str) -> list[str]:
         return shlex.split(text)
     except ValueError:
         return text.split()
-
-
-_KEYWORDS_OF_ALL = frozenset({"condition", "sigterm_timeout", "sigkill_timeout", "log_cmd"})
-
-
-def _check_keywords(run: LaunchRun, entity: LaunchObject) -> None:
-    known = entity.kind.signature.replace("*", "").split()
-    places = entity.places
-    for name in entity.arguments:
-        if name not in known and name not in _KEYWORDS_OF_ALL and not name.isdigit() and name in places:
-            given = frozenset(entity.arguments)
-            run.note_unknown_attribute(UnknownAttribute(entity.kind, name, tuple(known), places[name], given=given))
 
 
 def _components(run: LaunchRun, entity: LaunchObject, container: Started | Text | None) -> None:
