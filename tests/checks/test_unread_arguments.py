@@ -56,6 +56,17 @@ def test_a_text_that_launch_would_read_as_something_else(findings, given: str, d
     assert told.help == f"read it where it is meant, {reading}, or remove the declaration"
 
 
+@pytest.mark.parametrize(
+    ("comment", "told"),
+    [("kept for compatibility: the path is fixed", 0), ("ignored since the driver asks the motor", 0), ("in m/s", 1)],
+)
+def test_a_comment_that_says_why_nothing_reads_an_argument(findings, comment: str, told: int):
+    assert len(findings("LCH011", **_file(f"# {comment}\n    speed = LaunchConfiguration('speed')"))) == told
+    declared = "        DeclareLaunchArgument("
+    files = {name: text.replace(declared, f"        # {comment}\n{declared}") for name, text in _file().items()}
+    assert len(findings("LCH011", **files)) == told
+
+
 def test_use_sim_time_is_declared_as_a_habit(findings):
     (told,) = findings(
         "LCH011", **{"launch/it.launch.py": _file()["launch/it.launch.py"].replace("speed", "use_sim_time")}

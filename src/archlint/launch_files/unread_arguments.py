@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once, once_for_each_file
@@ -56,8 +56,29 @@ def unread_arguments(system: System) -> Iterator[DeclaredArgument]:
             continue  # LCH003 says by which name it is read
         if _is_of_library(launched, argument):
             continue
-        if not may_be_read(workspace, launched, argument.name):
+        if not may_be_read(workspace, launched, argument.name) and not _is_kept_on_purpose(workspace, argument):
             yield argument
+
+
+_ON_PURPOSE = re.compile(r"\b(?:compat\w*|deprecated|ignored|no longer used|not used|unused)\b", re.IGNORECASE)
+"""Words of a comment that says why nothing reads an argument."""
+
+
+def _is_kept_on_purpose(workspace: WorkspaceIndex, argument: DeclaredArgument) -> bool:
+    """Whether a comment above the declaration of an argument, or above the variable that holds it, says why it is still
+    there."""
+    kept = kept_for_nothing(workspace, argument)
+    lines = (workspace.tree.text(argument.file) or "").splitlines()
+    starts = [argument.place.line, *([] if kept is None else [kept[1].line])]
+    return any(_ON_PURPOSE.search(comment) for start in starts for comment in _comment_above(lines, start))
+
+
+def _comment_above(lines: Sequence[str], number: int) -> Iterator[str]:
+    """The lines of the comment that ends above a line, which is counted from 1."""
+    for line in reversed(lines[: number - 1]):
+        if not line.lstrip().startswith(("#", "<!--")):
+            return
+        yield line
 
 
 def _is_of_library(launched: Launched, argument: DeclaredArgument) -> bool:
