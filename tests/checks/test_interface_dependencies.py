@@ -174,3 +174,16 @@ def test_a_list_that_the_command_is_given(found):
 def test_an_interface_that_no_list_names_is_left_out_on_purpose(found):
     cmake = "project(robot_msgs)\n# not yet: action/Move.action\nrosidl_generate_interfaces(robot_msgs msg/Goal.msg)\n"
     assert found("PKG004", cmake, package(), "float64 x\n", **ACTIONS) == []
+
+
+def test_a_slip_in_the_name_of_a_package_is_told_where_it_is_written(found):
+    cmake = generate("msg/Goal.msg", "DEPENDENCIES std_msgs geometry_msgs")
+    manifest = package("std_msgs", "geometry_msgs")
+    (finding,) = found("PKG007", cmake, manifest, FIELDS.replace("geometry_msgs", "geometry_msg"))
+    assert finding.message == (
+        "the interfaces of 'robot_msgs' use geometry_msg/msg/Pose, and there is no package 'geometry_msg': the build "
+        "fails; did you mean 'geometry_msgs'?"
+    )
+    assert (finding.place.file, finding.place.line, finding.help) == ("msg/Goal.msg", 2, "write geometry_msgs/msg/Pose")
+    (other,) = found("PKG007", cmake, manifest, FIELDS.replace("geometry_msgs", "secret_arm_msgs"))
+    assert other.place.file == "CMakeLists.txt"

@@ -19,12 +19,15 @@ from archlint.packaging.interface_dependencies import (
     undefined_types,
     without_group,
 )
-from archlint.suggestions import meant
+from archlint.ros import packages
+from archlint.suggestions import hint, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.model import Package
 
+_SLIP = 2
+"""By how many letters the name of a package that is nowhere may differ from the one that was meant."""
 _SHOWN = 5
 """How many places that use a package are related."""
 
@@ -46,7 +49,20 @@ def interface_dependency(system: System, options: Options) -> Iterator[Finding]:
 
 def _not_handed(workspace: WorkspaceIndex, row: NotHanded) -> Finding:
     name, needed = row.package.name, row.needed
-    [first, *_] = row.uses
+    [first, *others] = row.uses
+    known = packages.table().names | workspace.packages.keys()
+    near = nearest(needed, known, _SLIP) if needed not in known else None
+    if near is not None:
+        return finding(
+            "PKG007",
+            first.place,
+            f"the interfaces of '{name}' use {first.type}, and there is no package '{needed}': the build fails"
+            f"{hint(near)}",
+            help=f"write {first.type.replace(needed, near, 1)}",
+            related=[Related(use.place, f"{use.type} is used here") for use in others[:_SHOWN]],
+            identity=(name, needed),
+            meant=near,
+        )
     help = f"add {needed} to DEPENDENCIES"
     if "ament_auto_find_build_dependencies" not in workspace.installs[name].words:
         help += f", and find_package({needed} REQUIRED) before it"
@@ -66,11 +82,11 @@ def _not_handed(workspace: WorkspaceIndex, row: NotHanded) -> Finding:
 
 def _undefined(row: UndefinedType) -> Finding:
     [first, *others] = row.places
-    hint = f"'{row.meant}'" if row.meant else ""
+    slip = f"'{row.meant}'" if row.meant else ""
     return finding(
         "PKG007",
         first,
-        f"{row.owner} defines no message '{row.name}': the build of '{row.package}' fails{meant(hint)}",
+        f"{row.owner} defines no message '{row.name}': the build of '{row.package}' fails{meant(slip)}",
         help=f"write {row.meant}" if row.meant else f"add {row.name}.msg to {row.owner}, or correct the type",
         related=[Related(place, f"'{row.name}' is the type of this field, too") for place in others[:_SHOWN]],
         identity=(row.package, row.owner, row.name),
