@@ -34,18 +34,18 @@ rclpy.spin(Listener())
 """
 
 
-def found(folder: Path, talker: str) -> list[tuple[str, str, int, str]]:
+def found(folder: Path, talker: str, sources: str = "src") -> list[tuple[str, str, int, str]]:
     package = folder / "demo"
-    (package / "src").mkdir(parents=True, exist_ok=True)
+    (package / sources).mkdir(parents=True, exist_ok=True)
     (package / "package.xml").write_text(
         "<package format='3'><name>demo</name><version>0.0.1</version><description>d</description>"
         "<maintainer email='kim@example.com'>Kim</maintainer><license>MIT</license>"
         "<export><build_type>ament_cmake</build_type></export></package>"
     )
     (package / "CMakeLists.txt").write_text(
-        "project(demo)\nadd_executable(talker src/talker.cpp)\ninstall(TARGETS talker DESTINATION lib/demo)\n"
+        f"project(demo)\nadd_executable(talker {sources}/talker.cpp)\ninstall(TARGETS talker DESTINATION lib/demo)\n"
     )
-    (package / "src" / "talker.cpp").write_text(talker)
+    (package / sources / "talker.cpp").write_text(talker)
     (folder / "listener.py").write_text(LISTENER)
     (folder / "archlint.toml").write_text('select = ["LNT002", "TOP003"]\nclosed-world = true\n')
     findings = check(Request((str(folder),), load(folder), cached=False, jobs=1)).findings
@@ -60,6 +60,12 @@ def test_a_whole_file_is_fine_and_a_lost_publisher_is_no_missing_one(tmp_path: P
     [(code, severity, line, message)] = found(tmp_path, lost)
     assert (code, severity, line) == ("LNT002", "info", 5)
     assert message.startswith("the call of create_publisher is missing from the graph")
+
+
+def test_a_template_is_no_code_yet(tmp_path: Path) -> None:
+    lost = TALKER.replace("orders_ = create_publisher<", "orders_ = create_publisher ")
+    assert "LNT002" in [code for code, *_ in found(tmp_path / "one", lost, "drivers")]
+    assert "LNT002" not in [code for code, *_ in found(tmp_path / "other", lost, "templates")]
 
 
 def test_brackets_that_do_not_match_fail_the_run(tmp_path: Path) -> None:

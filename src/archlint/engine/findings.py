@@ -32,7 +32,7 @@ from archlint.engine.repeats import once_for_copied_lines
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.engine.summaries_ahead import SummariesAhead
-from archlint.engine.unread_data import because_of_a_merge, is_manifest_to_fill, unread_data
+from archlint.engine.unread_data import because_of_a_merge, is_manifest_to_fill, is_to_be_filled_in, unread_data
 from archlint.engine.unused_files import apart, count_of_files, unused_files
 from archlint.engine.vendored_packages import without_vendored
 from archlint.faults import Faults
@@ -332,7 +332,7 @@ def _problems(
         if read is None or not read.problems:
             continue
         importers = _importers(file, files, facts) if file.context else ()
-        for fault in read.problems:
+        for fault in (fault for fault in read.problems if not (fault.partly and is_to_be_filled_in(file.relative))):
             advice = _IF_IT_COMPILES if fault.partly else None
             finding = unreadable(file.relative, fault.line, fault.column, fault.message, fault.internal, help=advice)
             if read.body and not fault.partly and not fault.internal:

@@ -76,6 +76,11 @@ def _read_parameter_files(index: WorkspaceIndex, workspace: Workspace) -> None:
 _NAME_TO_FILL = re.compile(r"<name>\s*(<[\w-]+>)\s*</name>")
 
 
+def is_to_be_filled_in(file: str) -> bool:
+    """Whether a file lies among templates: a generator makes code of it, and until then it need not be any."""
+    return not {"template", "templates"}.isdisjoint(file.split("/")[:-1])
+
+
 def is_manifest_to_fill(file: str, tree: Tree) -> bool:
     """Whether a package.xml is a template: instead of a name it has a word in angle brackets, and so has a build file
     beside it."""
