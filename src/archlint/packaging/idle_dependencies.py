@@ -7,7 +7,6 @@ import posixpath
 import re
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once
 from archlint.analysis.pinned import may_be_on_focal
 from archlint.packaging.absent_packages import folders_and_manifests, is_wanted_from_elsewhere
 from archlint.ros import packages
@@ -17,23 +16,11 @@ if TYPE_CHECKING:
     from archlint.workspace.model import Package
 
 _TEXT = frozenset(
-    {".action", ".bash", ".c", ".cc", ".cfg", ".cmake", ".cpp", ".cxx", ".h", ".hpp", ".ini", ".json", ".launch", ".md"}
-    | {
-        ".msg",
-        ".py",
-        ".repos",
-        ".rosinstall",
-        ".rst",
-        ".rviz",
-        ".sdf",
-        ".sh",
-        ".srv",
-        ".toml",
-        ".txt",
-        ".urdf",
-        ".xacro",
+    {
+        *("", ".cfg", ".gitmodules", ".ini", ".json", ".md", ".repos", ".rosinstall", ".rst", ".toml", ".txt"),
+        *(".bash", ".c", ".cc", ".cmake", ".cpp", ".cxx", ".h", ".hpp", ".launch", ".py", ".sh"),
+        *(".action", ".msg", ".rviz", ".sdf", ".srv", ".urdf", ".xacro", ".xml", ".yaml", ".yml"),
     }
-    | {".xml", ".yaml", ".yml", ".gitmodules", ""}
 )
 """Endings of files in which a package may be named."""
 _MANIFEST = "package.xml"
@@ -51,20 +38,23 @@ def is_idle(workspace: WorkspaceIndex, package: Package, name: str, known: froze
         return False
     if name in folders_and_manifests(workspace) or name in packages.table().ended or may_be_on_focal(workspace):
         return False
-    return name not in _names_of_the_workspace(workspace) and not is_wanted_from_elsewhere(workspace, name)
+    return not is_wanted_from_elsewhere(workspace, name) and not _is_a_word_of(workspace, name)
 
 
-@once
-def _names_of_the_workspace(workspace: WorkspaceIndex) -> frozenset[str]:
-    """All words of the texts of a workspace, but for its manifests, and of the paths of its files."""
-    words: set[str] = set()
+def _is_a_word_of(workspace: WorkspaceIndex, name: str) -> bool:
+    """Whether a text of a workspace, but for its manifests, or the path of a file has a name, be it with dashes."""
+    spelt = {name, name.replace("_", "-")}
+    word = re.compile(rf"(?<![\w-])(?:{'|'.join(map(re.escape, sorted(spelt)))})(?![\w-])")
+
+    def has(text: str) -> bool:
+        return any(each in text for each in spelt) and word.search(text) is not None
+
     for path in workspace.tree.files_below(workspace.tree.top):
-        words.update(posixpath.dirname(path).split("/"))
-        name = posixpath.basename(path)
-        if name != _MANIFEST and posixpath.splitext(name)[1] in _TEXT:
-            words.update(_WORD.findall(workspace.tree.text(path) or ""))
-    parts = {part for word in words for part in re.split(r"[.+]", word)}
-    return frozenset(words | parts | {part.replace("-", "_") for part in parts})
+        file = posixpath.basename(path)
+        is_read = file != _MANIFEST and posixpath.splitext(file)[1] in _TEXT
+        if has(posixpath.dirname(path)) or (is_read and has(workspace.tree.text(path) or "")):
+            return True
+    return False
 
 
 def is_named_by_no_file(workspace: WorkspaceIndex, package: str, name: str) -> bool:

@@ -10,7 +10,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.own_names import is_defined_somewhere
-from archlint.python_code.class_chains import Chain, ClassInFile, chain_of, classes_of, methods_of
+from archlint.python_code.class_chains import (
+    Chain,
+    ClassInFile,
+    chain_of,
+    classes_of,
+    kept_for_each_class,
+    methods_of,
+)
 from archlint.ros import packages
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, once_for
@@ -45,8 +52,20 @@ def may_get_more(workspace: WorkspaceIndex, place: Place) -> bool:
     return any(gives_itself_to_library(workspace, chain_of(workspace, cls)) for cls in around or every)
 
 
-def _gives(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
+@kept_for_each_class
+def _hands_itself_on(code: facts.Class) -> bool:
+    """Whether a method of a class gives the object to any call at all: most do not."""
     return any(
+        argument.value.variable == method.params[0].name
+        for method in methods_of(code)
+        if method.params
+        for call in everything_in(method.body, facts.Call)
+        for argument in call.args
+    )
+
+
+def _gives(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
+    return _hands_itself_on(workspace, cls) and any(
         _hands_on(workspace, cls.file, method.params[0].name, method, cls.code)
         for method in methods_of(cls.code)
         if method.params

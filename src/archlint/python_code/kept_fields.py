@@ -23,7 +23,7 @@ from archlint.python_code.plain_kinds import values_of_self
 from archlint.python_code.text_sums import is_its_own
 from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself, parts_of
+from archlint.syntax.parts import Itself, everything_in, parts_of
 from archlint.syntax.walk import is_none
 
 if TYPE_CHECKING:
@@ -68,6 +68,8 @@ def _of_class(file: str, cls: facts.Class, attributes: dict[str, _Field]) -> Ite
 def _kept(system: System, file: str, cls: facts.Class) -> dict[str, _Field]:
     """The attributes that hold a field of a message, or a plain value before."""
     uses = fields_read(system)
+    if not any((file, *part.span) in uses for part in everything_in(cls.body, facts.Attribute)):
+        return {}
     attributes: dict[str, _Field] = {}
     for name, values in values_of_self(cls).items():
         known = [value for value in values if value is not None]

@@ -16,6 +16,7 @@ from archlint.model import Role
 from archlint.place import Place
 from archlint.python_code.field_operations import asked_for_their_class, deeds_of, goes_wrong
 from archlint.python_code.tried_code import tried_for
+from archlint.python_code.unassigned_attributes import called_in
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
 from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
@@ -108,7 +109,7 @@ def _is_only_a_callback(workspace: WorkspaceIndex, file: str, function: facts.Fu
     code = workspace.facts_at(file)
     if code is None or workspace.code.kind_of(file) != "python":
         return False
-    return not any(call.func.last_name == function.name for call in everything_in(code.body, facts.Call))
+    return function.name not in called_in(code)
 
 
 @once_for

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import kept_for_each_file, once_for_each_file
+from archlint.analysis.kept import kept_for_each_file
 from archlint.libraries.api_signatures import signatures_of
 from archlint.libraries.rclpy.names import NODE_CLASSES
 from archlint.place import Place
@@ -105,7 +105,7 @@ def _read_of_methods(code: facts.Facts) -> list[_Row]:
     return rows
 
 
-@once_for_each_file
+@kept_for_each_file
 def _gives_its_own(code: facts.Facts) -> bool:
     """Whether a file gives an object such an attribute, or makes a property of one."""
     functions = (part for part in everything_in(code.body, facts.Function) if part.decorators)

@@ -315,11 +315,12 @@ def attributes_of_self(body: Sequence[facts.Base]) -> Iterator[facts.Attribute]:
 def _is_made(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
     """Whether code of the workspace calls a class by its name: it is no base for others alone."""
     files = (workspace.facts_at(file) for file in files_with(workspace, cls.code.name))
-    return any(file_facts is not None and cls.code.name in _called_in(file_facts) for file_facts in files)
+    return any(file_facts is not None and cls.code.name in called_in(file_facts) for file_facts in files)
 
 
 @once_for
-def _called_in(file_facts: facts.Facts) -> frozenset[str]:
+def called_in(file_facts: facts.Facts) -> frozenset[str]:
+    """The last names of all that a file calls."""
     return frozenset(called_name(call) for call in everything_in(file_facts.body, facts.Call))
 
 
@@ -370,6 +371,7 @@ __all__ = [
     "Overwritten",
     "Unassigned",
     "attributes_of_self",
+    "called_in",
     "has_self",
     "may_be_set",
     "may_get",
