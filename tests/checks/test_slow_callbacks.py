@@ -675,6 +675,35 @@ def test_a_server_that_is_not_there_gives_no_feedback(run: Run, wait: str, more:
     assert [one.severity for one in found] == ([] if severity is None else [severity])
 
 
+TOUR = """
+def go(self):
+    self.client.send_goal_async(Fibonacci.Goal()).add_done_callback(self.taken)
+
+def taken(self, future):
+    future.result().get_result_async().add_done_callback(self.ended)
+
+def ended(self, future):
+    self.get_logger().info('there')
+    time.sleep(3.0)
+    {then}
+"""
+ON_TOUR = ON_ONE_THREAD.replace("rclpy.spin(Robot())", "robot = Robot()\n    {start}\n    rclpy.spin(robot)")
+
+
+@pytest.mark.parametrize(
+    ("then", "start", "more", "expected"),
+    [
+        ("self.go()", "robot.go()", "", []),  # no goal is on its way meanwhile
+        ("self.go()", "robot.go()", "self.create_subscription(Empty, 'stop', print, 10)\n", ["EXE003"]),
+        ("self.go()", "for _ in range(3): robot.go()", "", ["EXE003"]),
+    ],
+)
+def test_a_pause_between_the_goals_of_a_sequence(run: Run, then: str, start: str, more: str, expected: list[str]):
+    create = "self.client = ActionClient(self, Fibonacci, 'count')\n" + more
+    text = source(create, TOUR.replace("{then}", then), ON_TOUR.replace("{start}", start))
+    assert [found.code for found in run(text) if found.code == "EXE003"] == expected
+
+
 def test_a_parameter_callback_has_no_group_that_it_could_be_given(run: Run):
     slow = "for param in params:\n        time.sleep(1.0)\n    return SetParametersResult(successful=True)"
     method = f"def on_set(self, params):\n    {slow}\n\n"

@@ -32,6 +32,7 @@ from archlint.execution.kept_waiting import Waiting, blocks_nobody, is_one_chain
 from archlint.execution.long_stays import LongStay, long_stays, period_of
 from archlint.execution.loop_times import in_loops
 from archlint.execution.own_timers import ends_its_timer_after
+from archlint.execution.request_paces import is_pause_before_the_next
 from archlint.execution.retries import gives_up_loudly, retries_after_errors
 from archlint.execution.sleeps import Stay
 from archlint.execution.spins import is_spin_call
@@ -159,6 +160,8 @@ def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) 
         return True
     if role == Role.SUBSCRIPTION and stay.kind == "sleep":
         minor = (stay.seconds is None and not call.looped) or in_loops(code, call, stay, with_callers=True) <= PAUSE
+    elif role == Role.DONE and stay.kind == "sleep":
+        minor = is_pause_before_the_next(system, call)
     else:
         period = period_of(system, call)
         in_time = period is None or (stay.seconds or 0.0) <= period

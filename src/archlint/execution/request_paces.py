@@ -133,6 +133,20 @@ def _holds(outer: Place, place: Place) -> bool:
     return outer.file == place.file and outer.span[:2] <= place.span[:2] and place.span[2:] <= outer.span[2:]
 
 
+_SENDS = (".call_async", ".send_goal_async")
+
+
+def is_pause_before_the_next(system: System, call: ApiCall) -> bool:
+    """Whether a done callback pauses before it sends the next request, and no loop of its file sends several at once:
+    until then no answer is on its way."""
+    own = any(other.api.endswith(_SENDS) for other in calls_in(system, call.context))
+    return own and not any(
+        other.api.endswith(_SENDS) and (other.looped or other.enclosing_loops)
+        for _, other in judged_calls(system)
+        if other.file == call.file
+    )
+
+
 def calls_in(system: System, callback: Callback) -> Sequence[ApiCall]:
     """The calls that a callback comes to."""
     return _calls_by_callback(system).get(id(callback), ())
