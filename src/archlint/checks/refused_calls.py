@@ -23,6 +23,7 @@ from archlint.checks.early_reads import TOO_EARLY, early_read_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.late_attributes import TOO_LATE, late_attribute_findings
 from archlint.checks.own_calls import COMPARED, NOT_CALLED, own_call_findings
+from archlint.checks.refused_by_rclcpp import OF_RCLCPP, moved_name_findings, refused_by_rclcpp_findings
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
@@ -67,6 +68,7 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
     yield from time_operator_findings(system)
     yield from own_call_findings(system)
     yield from used_value_findings(system)
+    yield from refused_by_rclcpp_findings(system)
 
 
 @rule("API002", scope=Scope.CODE)
@@ -85,6 +87,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     yield from early_read_findings(system)
     yield from late_attribute_findings(system)
     yield from misused_kind_findings(system)
+    yield from moved_name_findings(system)
     unported = functions_of_rospy(absent)
     left = {file for file in unported if is_of_ros_1(unported, file) and is_left_in_ros_1(system, file)}
     for diagnostic in absent_import_findings(system, {(call.place.file, call.place.line) for call in absent}):
@@ -204,6 +207,8 @@ def _is_of_node(call: RefusedCall) -> bool:
 def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
     """The first call of a file for all of the same name, its first line that asks a module for one, or the first
     line of a class that assigns a property."""
+    if findings[0].group[0] == OF_RCLCPP:
+        return with_others(findings, "another line does", "more lines do", "the same")
     if findings[0].group[0] == OF_CLASS:
         return with_others(findings, "another line of the class does", "more lines of the class do", "the same")
     if findings[0].group[0] in (UNASSIGNED, UNCALLED):
@@ -269,6 +274,8 @@ def _finding(call: RefusedCall) -> Finding:
 @folds("API001")
 def of_one_file(findings: Sequence[Finding]) -> Finding:
     """The first call of a file for all that are wrong in the same way."""
+    if findings[0].group[0] == OF_RCLCPP:
+        return with_others(findings, "another line does", "more lines do", "the same")
     if findings[0].group[1] in (COMPARED, NOT_CALLED, NOTHING, PLAIN, TEXT):
         return with_others(findings, "another line in this file does", "more lines in this file do", "the same")
     if findings[0].group[1] == OPERATOR:
