@@ -830,3 +830,14 @@ def test_a_spin_that_a_handler_and_a_timer_share_is_told_once(run: Run, handler:
     create += "self.create_timer(1.0, self.tick)\n"
     found = codes(run(source(create, ASKS_IN_A_HELPER.replace("{handler}", handler))))
     assert [code for code in found if code in ("SRV003", "EXE001")] == told
+
+
+def test_nobody_knows_the_group_of_a_node_of_another_package(run: Run):
+    method = """
+    def tick(self):
+        from robots import Navigator
+        rclpy.spin_once(Navigator(), timeout_sec=0.1)
+    """
+    assert run(source(TIMER, method), distro="humble") == []
+    [found] = run(source(TIMER, method))
+    assert "raises 'Executor is already spinning' from jazzy on" in found.message and "always" not in found.message

@@ -241,7 +241,7 @@ def _relation_of_spin(call: ApiCall, spun: Blueprint | None, client: Creation | 
         shareable = callback.group is not None and callback.group.kind != GroupKind.DEFAULT
         return UNCLEAR if shareable and any(creation.group == callback.group for creation in spun.creations) else OTHER
     relation = group_relation(callback.group, None)
-    if "future" not in call.arguments and relation == UNCLEAR:
+    if "future" not in call.arguments and relation == UNCLEAR and spun is not None:
         # What spins without a future waits for any work, and the group keeps out that of its own.
         return SAME if callback.group is not None and callback.group.kind != GroupKind.REENTRANT else OTHER
     return OTHER if relation == UNCLEAR and _no_client_shares_its_group(callback) else relation
