@@ -504,6 +504,54 @@ def test_a_package_that_closes_several_circles_is_told_once(lint: Lint):
     assert [one.message for one in found.related] == ["'leg' is used here"]
 
 
+def shared(*users: str) -> dict[str, str]:
+    """Packages that import the names of topics from the one that starts their nodes."""
+    files = {
+        "robot/package.xml": manifest("robot", *depends("launch_ros")),
+        "robot/robot/__init__.py": "",
+        "robot/robot/topics.py": "SCAN = '/scan'\n",
+        "robot/launch/robot.launch.xml": "".join(
+            ["<launch>", *(f"<node pkg='{user}' exec='{user}'/>" for user in users), "</launch>"]
+        ),
+    }
+    for user in users:
+        files[f"{user}/package.xml"] = manifest(user, *depends("rclpy"))
+        files[f"{user}/{user}/__init__.py"] = ""
+        files[f"{user}/{user}/a.py"] = node("from robot.topics import SCAN\nprint(SCAN)")
+    return files
+
+
+def test_circles_through_one_shared_package_are_one_finding(lint: Lint):
+    (found,) = lint(shared("arm", "leg", "wheel"), code="PKG003")
+    assert found.message == (
+        "packages depend on each other in a circle: arm → robot → arm; 'arm' uses 'robot' here without declaring it; "
+        "2 more packages use 'robot' in a circle, too"
+    )
+    assert found.help == "move what both need into a separate package"
+    assert [one.place.file for one in found.related] == [
+        "robot/launch/robot.launch.xml",
+        "leg/leg/a.py",
+        "wheel/wheel/a.py",
+    ]
+    (alone,) = lint(shared("arm"), code="PKG003")
+    assert alone.message.endswith("'arm' uses 'robot' here without declaring it")
+
+
+@pytest.mark.parametrize(
+    ("comment", "told"),
+    [
+        ("<!-- robot is not declared here, to avoid a circular dependency -->", 0),
+        ("<!-- not declared:\n  'robot' would close a cycle -->", 0),
+        ("<!-- robot is started by hand -->", 1),
+        ("<!-- robots in no circular dependency -->", 1),
+    ],
+)
+def test_a_circle_that_a_comment_of_the_manifest_avoids_is_decided(lint: Lint, comment: str, told: int):
+    files = shared("arm")
+    files["arm/package.xml"] = manifest("arm", *depends("rclpy"), comment)
+    assert len(lint(files, code="PKG003")) == told
+
+
 def test_two_packages_that_import_each_other(lint: Lint):
     (found,) = lint(EACH_OTHER, code="PKG003")
     assert (found.place.file, [one.place.file for one in found.related]) == ("arm/arm/a.py", ["talk/talk/a.py"])

@@ -5,16 +5,18 @@ from __future__ import annotations
 import posixpath
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.checks.dependency_uses import Use, uses_by_package
+from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.packaging.avoided_circles import is_left_out_for_a_circle
 from archlint.packaging.copies import are_copies
 from archlint.packaging.idle_dependencies import is_named_by_no_file
 from archlint.packaging.missing_imports import missing_imports
@@ -31,6 +33,8 @@ _BUILD: frozenset[DependencyKind] = frozenset(
 
 _RUN: frozenset[DependencyKind] = frozenset({"exec", "run"})
 """What only a running program needs: the code can be built without it."""
+
+_SHARED = "move what both need into a separate package"
 
 Step = tuple[str, str]
 """A package, and one that it needs."""
@@ -127,6 +131,15 @@ def _undeclared(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> F
         help=f"remove the dependency of '{idle[0]}' on '{idle[1]}': nothing in '{idle[0]}' uses it" if idle else advice,
         related=[Related(needs[start][end], f"'{start}' depends on '{end}' here") for start, end in others],
         identity=tuple(sorted(names[1:])),
+        group=(other,) if not idle and advice == _SHARED else (),
+    )
+
+
+@folds("PKG003")
+def _of_one_shared_part(several: Sequence[Finding]) -> Finding:
+    """One finding for all packages that use the same one and that it needs: what they share is moved once."""
+    return with_others(
+        several, "another package uses", "more packages use", f"'{several[0].group[0]}' in a circle, too"
     )
 
 
@@ -175,7 +188,7 @@ def _cure(workspace: WorkspaceIndex, package: str, uses: list[Place], other: str
             there = f"a launch file of '{other}'" if other else "launch files of these packages"
             return f"move what uses it from here to {there}: other packages include this file"
         return f"move the launch files that use it into a package of their own, such as {package}_bringup"
-    return "move what both need into a separate package"
+    return _SHARED
 
 
 def _are_included_elsewhere(workspace: WorkspaceIndex, package: str, files: set[str]) -> bool:
@@ -204,14 +217,18 @@ def _declared(package: Package, packages: Mapping[str, Package], kinds: frozense
 
 def _used(workspace: WorkspaceIndex, options: Options) -> dict[str, dict[str, Place]]:
     """The packages of this workspace that each one uses and does not declare, with the first place.  An import of which
-    nothing is used, or that finds nothing, is to be removed, and needs no package."""
+    nothing is used, or that finds nothing, is to be removed, and needs no package; what a comment of the manifest
+    leaves out because of a circle is decided."""
     used: dict[str, dict[str, Place]] = {}
     failing = {missing.place for missing in missing_imports(workspace)}
     for folder, uses in uses_by_package(workspace, options).items():
         package = workspace.manifests[folder]
         if workspace.packages.get(package.name) is package:  # of two of one name, the other one is not spoken of
             kept = [use for use in uses if not use.unused and use.place not in failing]
-            used[package.name] = _first(kept, workspace)
+            first = _first(kept, workspace).items()
+            used[package.name] = {
+                name: at for name, at in first if not is_left_out_for_a_circle(workspace, package, name)
+            }
     return used
 
 
