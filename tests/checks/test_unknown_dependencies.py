@@ -138,6 +138,25 @@ def test_a_module_that_comes_with_python(judge: Judge):
     assert judge("<exec_depend>csv</exec_depend>", **{"robot/node.py": "import rclpy\n"}, **NAMED) == []  # a package
 
 
+NODE = "#include <rclcpp/rclcpp.hpp>\n\nint main() { rclcpp::init(0, nullptr); }\n"
+
+
+@pytest.mark.parametrize(
+    ("tag", "files", "meant"),
+    [
+        ("<exec_depend>rclcpy</exec_depend>", {}, "rclpy"),
+        ("<depend>rclcpy</depend>", {}, "rclpy"),
+        ("<exec_depend>rclcpy</exec_depend>", {"src/a.cpp": NODE}, "rclpy"),  # C++ needs its one for the build, too
+        ("<depend>rclcpy</depend>", {"src/a.cpp": NODE}, "rclcpp"),
+        ("<depend>rclcpy</depend>", {"robot/node.py": "import numpy\n"}, "rclcpp"),
+        ("<depend>rclccpp</depend>", {}, "rclcpp"),
+    ],
+)
+def test_the_library_that_the_code_of_the_package_uses(judge: Judge, tag: str, files: dict[str, str], meant: str):
+    (one,) = judge(tag, **files)
+    assert one.help == f"write '{meant}' instead"
+
+
 def test_opencv_is_what_the_code_of_the_package_uses(judge: Judge):
     (of_python,) = judge("<depend>opencv</depend>", **{"robot/node.py": "import cv2\nimport rclpy\n"})
     (of_cpp,) = judge("<depend>opencv</depend>", **{"robot/node.py": "import rclpy\n"})

@@ -17,6 +17,7 @@ from archlint.packaging.absent_packages import has_a_rule_for_rosdep, is_a_key_o
 from archlint.packaging.idle_dependencies import is_idle
 from archlint.ros import packages, rosdep
 from archlint.ros.mistaken_dependencies import Mistake, Mistaken, mistaken, modules_of_pip, of_python_2
+from archlint.suggestions import distance
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
@@ -74,6 +75,7 @@ def _unknown(
         return
     is_python = _is_of_python(workspace, package, name)
     meant = rosdep.meant_by(name, there, is_python=is_python) or _successor(workspace, name)
+    meant = _PYTHON if meant == _CPP and _is_rclpy(workspace, package, dependency) else meant
     wrong = None if meant is not None else mistaken(name, there, is_python=is_python)
     if wrong is not None and not is_a_key_of_some_file(workspace, name):
         yield _mistaken(package, dependency, wrong)
@@ -86,6 +88,20 @@ def _unknown(
         yield _finding(package, dependency, meant, f"write '{meant}' instead{own if needed else ''}")
     elif wrong is None and is_idle(workspace, package, name, there.union(rosdep.keys(), options.external)):
         yield _idle(package, dependency)
+
+
+_CPP, _PYTHON = "rclcpp", "rclpy"
+
+
+def _is_rclpy(workspace: WorkspaceIndex, package: Package, dependency: Dependency) -> bool:
+    """Whether a name that is as near to rclpy as to rclcpp stands for rclpy: Python code of the package imports that,
+    package.xml lacks it, and C++ code does not ask for the other one, which it would need for its build."""
+    if distance(dependency.name, _PYTHON, 1) > 1 or any(other.name == _PYTHON for other in package.dependencies):
+        return False
+    sources = workspace.code.cpp_files_that_mention(_CPP) if dependency.kind != "exec" else ()
+    if any(workspace.package_of(path) == package.name for path in sources):
+        return False
+    return any(workspace.code.mentions(path, _PYTHON) for path in workspace.code.files_of(package.name))
 
 
 def _has_already(package: Package, dependency: Dependency, name: str) -> bool:
