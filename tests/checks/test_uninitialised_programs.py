@@ -46,7 +46,7 @@ def said(findings: Callable[..., list[Finding]]) -> Callable[..., list[Finding]]
     ],
 )
 def test_a_program_that_never_initialises(said: Callable[..., list[Finding]], made: str, name: str) -> None:
-    (finding,) = said(made, "import numpy\nfrom std_msgs.msg import String")
+    (finding,) = said(made, "from mavros import mavlink\nfrom std_msgs.msg import String")
     assert finding.message == f"{name}() fails: the program never calls rclpy.init()"
     assert (finding.place.file, finding.place.line) == ("robot/talker.py", 14)
 
@@ -64,6 +64,41 @@ def test_a_program_that_never_initialises(said: Callable[..., list[Finding]], ma
 def test_programs_that_do_or_may(said: Callable[..., list[Finding]], made: str, imported: str) -> None:
     start = "import rclpy\n\n\ndef start():\n    rclpy.init()\n"
     assert said(made, imported, **{"robot/start.py": start}) == []
+
+
+PART = """
+import rclpy
+
+
+def start():
+    pass
+
+
+def main():
+    rclpy.init()
+
+
+{more}
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "imported", "made", "told"),
+    [
+        ("if __name__ == '__main__':\n    main()", "from robot.start import start", "", 1),
+        ("", "from robot.start import start", "", 1),
+        ("main()", "from robot.start import start", "", 0),
+        ("", "from robot.start import main as prepare", "prepare()", 0),
+        ("", "from robot import start", "start.main()", 0),
+        ("def begin():\n    rclpy.init()", "from robot.start import start", "", 0),
+        ("def begin():\n    main()", "from robot.start import start", "", 0),
+    ],
+)
+def test_the_program_of_another_module_initialises_for_itself(
+    said: Callable[..., list[Finding]], more: str, imported: str, made: str, told: int
+) -> None:
+    start = PART.format(more=more)
+    assert len(said(f"{made}\n    rclpy.spin(Talker())", imported, **{"robot/start.py": start})) == told
 
 
 def test_a_module_without_a_program(findings: Callable[..., list[Finding]]) -> None:

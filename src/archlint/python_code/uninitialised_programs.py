@@ -17,6 +17,7 @@ from archlint.python_code.offered_names import MAKES_NAMES
 from archlint.ros.python_modules import key_of
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint
@@ -25,10 +26,10 @@ if TYPE_CHECKING:
 
 _INTERFACES = frozenset({"action", "msg", "srv"})
 _HARMLESS = frozenset(
-    {"ament_index_python", "cv2", "cv_bridge", "message_filters", "numpy", "rclpy", "rosidl_runtime_py", "tf2_ros"}
-    | {"sensor_msgs_py", "tf2_geometry_msgs", "tf_transformations", "yaml"}
+    {"ament_index_python", "cv2", "cv_bridge", "mavros", "message_filters", "numpy", "rclpy", "rosidl_runtime_py"}
+    | {"sensor_msgs_py", "tf2_geometry_msgs", "tf2_ros", "tf_transformations", "yaml"}
 )
-_INITIALISES = "init"
+_INITIALISES, _MAIN = "init", "main"
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,11 @@ def _may_initialise(workspace: WorkspaceIndex, file: str) -> bool:
     paths = workspace.code.reached_from([file])
     if not file.endswith(".py") or not paths:
         return True
-    return any(_calls_init_or_others(workspace, path, workspace.code.top_modules) for path in sorted(paths))
+    calls_own = not any(_takes_main(workspace, path) for path in paths)
+    return any(
+        _calls_init_or_others(workspace, path, calls_own and path != file, workspace.code.top_modules)
+        for path in sorted(paths)
+    )
 
 
 def _is_called(workspace: WorkspaceIndex, file: str) -> bool:
@@ -86,8 +91,8 @@ def _name_in_imports(file: str) -> str:
     return posixpath.basename(folder) if name == "__init__.py" else name.removesuffix(".py")
 
 
-def _calls_init_or_others(workspace: WorkspaceIndex, path: str, own: frozenset[str]) -> bool:
-    modules = _modules_or_none(workspace, path)
+def _calls_init_or_others(workspace: WorkspaceIndex, path: str, without_main: bool, own: frozenset[str]) -> bool:
+    modules = _modules_or_none(workspace, path, without_main)
     return modules is None or any(
         top not in own and workspace.code.path_of_import(path, top) is None and not _is_harmless(top) for top in modules
     )
@@ -104,9 +109,33 @@ def _modules_of(code: facts.Facts) -> tuple[bool, frozenset[str]]:
     return _INITIALISES in {*code.names, *imported} or not MAKES_NAMES.isdisjoint(code.names), tops
 
 
-def _modules_or_none(workspace: WorkspaceIndex, path: str) -> frozenset[str] | None:
+@once_for_each_file
+def _calls_init_in_main_alone(code: facts.Facts) -> bool:
+    """Whether only the ``main()`` of a file calls ``init()``, and only the file as a program calls that."""
+    guard = main_guard(code)
+    rest = [part for part in code.body if part is not guard and not _is_main(part)]
+    names = {part.id for part in everything_in(rest, facts.Name)}
+    names |= {part.attr for part in everything_in(rest, facts.Attribute)}
+    names |= {name for part in everything_in(rest, facts.ImportFrom) for name, _ in part.names}
+    return names.isdisjoint({_INITIALISES, _MAIN}) and MAKES_NAMES.isdisjoint(code.names)
+
+
+def _is_main(part: facts.Statement) -> bool:
+    return isinstance(part, facts.Function) and part.name == _MAIN
+
+
+@once_for_each_file
+def _takes_main(code: facts.Facts) -> bool:
+    """Whether a file may call the ``main()`` of another one."""
+    imported = {name for part in everything_in(code.body, facts.ImportFrom) for name, _ in part.names}
+    asked = (part.attr for part in everything_in(code.body, facts.Attribute))
+    return not imported.isdisjoint({_MAIN, "*"}) or _MAIN in asked
+
+
+def _modules_or_none(workspace: WorkspaceIndex, path: str, without_main: bool) -> frozenset[str] | None:
     row = _modules_of(workspace, path)
-    return None if row is None or row[0] else row[1]
+    calls = row is None or (row[0] and not (without_main and _calls_init_in_main_alone(workspace, path)))
+    return None if row is None or calls else row[1]
 
 
 def _is_harmless(top: str) -> bool:
