@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.declarations import is_guarded, surely_run_both
+from archlint.analysis.doubled_declarations import DoubledDeclaration, doubled_declarations
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -22,6 +23,24 @@ def parameter_declared_twice(system: System, options: Options) -> Iterator[Findi
     for node in system.nodes:
         for blueprint in node.blueprints:
             yield from _twice(system.workspace, node, blueprint)
+    for rows in () if system.workspace is None else doubled_declarations(system.workspace):
+        yield _in_one_function(rows)
+
+
+def _in_one_function(rows: Sequence[DoubledDeclaration]) -> Finding:
+    row, *others = rows
+    more = f"; so {'is another one' if len(others) == 1 else f'are {len(others)} more'}" if others else ""
+    return finding(
+        "PRM008",
+        row.place,
+        f"the parameter {row.name} is declared twice: the second declaration raises an exception{more}",
+        help="declare it once, or check has_parameter() first",
+        related=[
+            Related(row.first, "it is declared here first"),
+            *(Related(other.place, f"{other.name} is declared again here") for other in others),
+        ],
+        identity=(row.place.file, row.name),
+    )
 
 
 def _twice(workspace: WorkspaceIndex | None, node: Node, blueprint: Blueprint) -> Iterator[Finding]:
