@@ -246,6 +246,56 @@ class Talker({bases}):
     )
 
 
+@pytest.mark.parametrize(
+    ("base", "reads"),
+    [
+        ("enum.IntEnum", "self.value, self.name, self._value_, self._name_, self.numerator, self.real"),
+        ("enum.Enum", "self.value, self.name"),
+        ("enum.Flag", "self.value, self.name"),
+        ("typing.NamedTuple", "self.count(1), self.index(1), self._asdict(), self._replace(), self._fields"),
+    ],
+)
+@pytest.mark.parametrize("more", ["", ", self.vlue"])
+def test_what_a_base_of_python_brings(judge: Judge, base: str, reads: str, more: str):
+    mark = "  # here" if more else ""
+    found = judge(
+        "API002",
+        f"""
+        import enum
+        import typing
+        import rclpy
+
+        class Side({base}):
+            left: int = 0
+
+            def other(self):
+                return {reads}{more}{mark}
+
+        print(Side(0).other())
+        """,
+    )
+    assert all("'vlue'" in finding.message for finding in found)
+
+
+@pytest.mark.parametrize("bases", ["int", "str, enum.Enum", "dict", "Exception"])
+def test_what_a_class_that_is_built_in_brings(judge: Judge, bases: str):
+    judge(
+        "API002",
+        f"""
+        import enum
+        import rclpy
+
+        class Own({bases}):
+            left = 1
+
+            def show(self):
+                return self.real, self.args, self.upper(), self.items(), self.value
+
+        print(Own(1).show())
+        """,
+    )
+
+
 def test_what_asks_first_whether_it_is_there(judge: Judge):
     judge(
         "API002",

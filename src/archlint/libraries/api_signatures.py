@@ -5,6 +5,7 @@ The table, ``tables/signatures.json``, is written by ``scripts/generate_signatur
 
 from __future__ import annotations
 
+import enum
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
@@ -20,9 +21,17 @@ _AS_IN = {"rclpy.qos.QoSProfile": "kilted"}
 other."""
 
 
-_PYTHON_S_OWN = ("typing.", "enum.", "object")
-"""Bases that bring nothing that code would ask for, but for what every object has."""
 _OF_EVERY_OBJECT = frozenset(dir(object))
+_OF_ENUMS = frozenset(dir(enum.IntFlag)).union(dir(enum.Enum), dir(str), {"_name_", "_value_", "name", "value"})
+"""What the members of an enum have, whatever it is made of.  Source: docs.python.org/3/library/enum.html."""
+_OF_PYTHON_S_OWN = {
+    "enum.": _OF_ENUMS,
+    "object": _OF_EVERY_OBJECT,
+    "typing.NamedTuple": frozenset(dir(tuple)) | {"_asdict", "_field_defaults", "_fields", "_make", "_replace"},
+    "typing.TypedDict": frozenset(dir(dict)),
+    "typing.": _OF_EVERY_OBJECT,
+}
+"""What bases bring that Python itself has, by how their names begin; the first that fits counts."""
 
 
 class _Class(msgspec.Struct):
@@ -92,7 +101,7 @@ def attributes_of(cls: str) -> frozenset[str] | None:
     """The names of the attributes and methods that a class has in any distribution; None where that is not known."""
     row = _table().classes.get(cls)
     if row is None:
-        return _OF_EVERY_OBJECT if cls.startswith(_PYTHON_S_OWN) else None
+        return next((names for start, names in _OF_PYTHON_S_OWN.items() if cls.startswith(start)), None)
     inherited = [attributes_of(base) for base in row.bases]
     if any(names is None for names in inherited) or "__getattr__" in row.attributes:
         return None
