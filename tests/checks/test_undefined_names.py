@@ -167,6 +167,76 @@ def test_what_a_slip_is_stays_beside_what_is_not_imported(judge: Judge) -> None:
     assert (slip.help, lacking.help) == ("write self.limit", "write `from sensor_msgs.msg import Imu`")
 
 
+LACKING = """
+# from .arms import make_arm, Tray
+
+
+def arm():
+    return make_arm()
+
+
+def tray():
+    return Tray()
+
+
+def test_arm_made():
+    return testArmMade()
+
+
+print(arm(), tray(), test_arm_made())
+"""
+ARMS = """
+import rclpy
+
+def make_arm():
+    return rclpy.create_node('arm')
+
+
+class Tray:
+    pass
+
+
+def testArmMade():
+    pass
+"""
+
+
+def test_names_that_a_module_beside_defines_are_one_finding(findings: Callable[..., list[Finding]]) -> None:
+    files = {"robot/start.py": "import rclpy\n" + LACKING, "robot/arms.py": ARMS}
+    (finding,) = findings("API005", **files)
+    assert (finding.place.file, finding.place.line) == ("robot/start.py", 7)
+    assert finding.message.endswith("; 2 more names are not defined, either")
+    assert finding.help == "write `from robot.arms import make_arm`"
+    assert [row.message for row in finding.related] == [
+        "nothing defines 'Tray': write `from robot.arms import Tray`",
+        "nothing defines 'testArmMade': write `from robot.arms import testArmMade`",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("arms", "more"),
+    [
+        (ARMS, ARMS),
+        ("import robot.start\nfrom robot import start\n" + ARMS, ""),
+        (ARMS.replace("make_arm", "other_arm"), ""),
+        (ARMS.replace("def make_arm", "class Hidden:\n  def make_arm"), ""),
+    ],
+    ids=["two modules define it", "it imports this file", "none does", "a method"],
+)
+def test_a_name_that_no_single_module_beside_offers(
+    findings: Callable[..., list[Finding]], arms: str, more: str
+) -> None:
+    start = "import rclpy\nprint(make_arm())\n"
+    files = {"robot/start.py": start, "robot/arms.py": arms, "robot/more.py": more}
+    (finding,) = (found for found in findings("API005", **files) if found.place.file.endswith("start.py"))
+    assert finding.help == "define it, or remove the line"
+
+
+def test_a_function_that_would_call_itself_for_ever_is_not_meant(judge: Judge) -> None:
+    (finding,) = judge("API005", _node("pass") + "\n\ndef test_arm_made():\n    return testArmMade()  # here\n")
+    assert finding.help == "define it, or remove the line"
+
+
 def test_an_interface_of_the_workspace_that_is_not_imported(findings: Callable[..., list[Finding]]) -> None:
     files = {"msg/ServoState.msg": "uint8 id\n", "robot/talker.py": _node("print(ServoState())")}
     cmake = 'rosidl_generate_interfaces(robot "msg/ServoState.msg")\n'

@@ -7,14 +7,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.source_code import source_code
+from archlint.analysis.source_code import code_of, source_code
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
 from archlint.checks.unported import is_part_of_port, told_of_rospy
 from archlint.finding import Finding, Related, Severity
-from archlint.python_code.how_imported import idle_import_with, import_of, interface_meant
+from archlint.python_code.how_imported import defined_beside, idle_import_with, import_of, interface_meant
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
 from archlint.python_code.undefined_beside import stops_a_launch
@@ -173,17 +173,21 @@ def _cure_of(read: Undefined) -> str:
 
 def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     near, statement = "", ""
+    in_launch_file = read.place.file in workspace.launch_files.all()
     if read.of_self:
         near = f"self.{read.name}"
     elif meant_part := interface_meant(workspace, read.place.file, read.name):
         near = meant_part
     else:
-        in_launch_file = read.place.file in workspace.launch_files.all()
         statement = import_of(
             workspace, read.name, file=read.place.file, in_launch_file=in_launch_file, called=read.called
         )
+    if not near and not statement and len(read.name) >= _SHORT and not in_launch_file:
+        statement = defined_beside(workspace, read.place.file, read.name)
     if not near and not statement and len(read.name) >= _SHORT:
-        known = (name for name in read.known if name not in _BUILT_IN and not _is_one_a_class(name, read.name))
+        around = code_of(workspace).function_at(read.place)
+        ruled_out = _BUILT_IN if around is None else _BUILT_IN | {around.name}  # to call itself would never end
+        known = (name for name in read.known if name not in ruled_out and not _is_one_a_class(name, read.name))
         near = nearest(read.name, known) or idle_import_with(workspace, read.place.file, read.name) or ""
     if read.caught:
         near, statement = "", f"except Exception as {read.name}:"

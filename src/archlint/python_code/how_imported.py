@@ -136,6 +136,36 @@ def idle_import_with(workspace: WorkspaceIndex, file: str, word: str) -> str | N
     return having[0] if len(having) == 1 else None
 
 
+def defined_beside(workspace: WorkspaceIndex, file: str, name: str) -> str:
+    """The statement that imports a function or class from the only other module of the file's package that defines it;
+    empty where none does, where several do, or where the module imports this very file."""
+    package = workspace.package_of(file)
+    if package is None or workspace.roles.is_test(file):
+        return ""
+    paths = {path: module for module, path in workspace.code.modules_of(package).items() if "." in module}
+    mentioning = (path for path in workspace.code.files_that_mention(name) if path in paths and path != file)
+    having = [path for path in mentioning if not workspace.roles.is_test(path) and _defines(workspace, path, name)]
+    if len(having) != 1 or _uses(workspace, having[0], file):
+        return ""
+    return f"from {paths[having[0]]} import {name}"
+
+
+def _defines(workspace: WorkspaceIndex, path: str, name: str) -> bool:
+    code = workspace.facts_at(path)
+    body = () if code is None else code.body
+    return any(isinstance(part, (facts.Class, facts.Function)) and part.name == name for part in body)
+
+
+def _uses(workspace: WorkspaceIndex, path: str, file: str) -> bool:
+    """Whether a file imports another one: that one cannot import from it as it starts."""
+    code = workspace.facts_at(path)
+    for statement in () if code is None else everything_in(code.body, facts.ImportFrom):
+        modules = [statement.module, *(f"{statement.module}.{name}".lstrip(".") for name, _ in statement.names)]
+        if any(workspace.code.path_of_import(path, module, statement.level) == file for module in modules):
+            return True
+    return False
+
+
 @once
 def _imports(workspace: WorkspaceIndex) -> dict[str, Counter[str]]:
     """By the name that it binds, how many files have each import statement."""
@@ -161,4 +191,4 @@ def _statements(code: facts.Facts) -> frozenset[tuple[str, str]]:
     return frozenset(rows)
 
 
-__all__ = ["idle_import_with", "import_of", "interface_meant"]
+__all__ = ["defined_beside", "idle_import_with", "import_of", "interface_meant"]
