@@ -117,6 +117,19 @@ def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
 
 
 @pytest.mark.parametrize(
+    ("call", "help"),
+    [
+        ("QoSProfile(depth=1, reliable=True)", "write reliability= instead of reliable="),
+        ("QoSProfile(depth=1, durable=True)", "write durability= instead of durable="),
+        ("QoSProfile(depth=1, latched=True)", "take out latched="),
+    ],
+)
+def test_a_keyword_that_has_the_stem_of_another(judge: Judge, call: str, help: str):
+    [finding] = judge("API001", NODE.format(call=f"{call}  # here"))
+    assert finding.help == help
+
+
+@pytest.mark.parametrize(
     "call",
     [
         "self.create_publisher(String, 'a', 10)",

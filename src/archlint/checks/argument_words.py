@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Mapping, Sequence
 
 from archlint.model import Misuse
@@ -24,18 +25,30 @@ def what_does_not_fit(misuse: Misuse, parameters: Sequence[str], takes: int) -> 
 
 
 def keywords_meant(unknown: Sequence[str], known: Sequence[str]) -> dict[str, str]:
-    """For each keyword that a function does not have the parameter that is meant by it: one of almost the same name, or
-    the only one that has all of its words.  Empty where that is not told for all of them."""
+    """For each keyword that a function does not have the parameter that is meant by it: one of almost the same name,
+    the only one that has all of its words, or the only one of the same stem, ``reliability`` for ``reliable``.  Empty
+    where that is not told for all of them."""
     meant: dict[str, str] = {}
     for keyword in unknown:
         free = [name for name in known if name not in meant.values()]
         words = set(keyword.split("_"))
         longer = [name for name in free if words < set(name.split("_"))]
+        longer = longer or [name for name in free if _have_one_stem(keyword, name)]
         near = nearest(keyword, free) or (longer[0] if len(longer) == 1 else None)
         if near is None:
             return {}
         meant[keyword] = near
     return meant
+
+
+_STEM = 5
+"""Letters of the shortest stem that says what is meant."""
+
+
+def _have_one_stem(keyword: str, name: str) -> bool:
+    """Whether two single words begin with the same letters, but for the last few of the first one."""
+    stem = posixpath.commonprefix([keyword, name])
+    return "_" not in keyword + name and len(stem) >= max(_STEM, len(keyword) - 2)
 
 
 def cure_of_keywords(unknown: Sequence[str], meant: Mapping[str, str]) -> str:
