@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.finding import Finding
+from archlint.finding import Finding, Severity
 from checks.judging import Judge
 
 NODE = """
@@ -78,6 +78,12 @@ def _node(*lines: str) -> str:
             "give what it takes: mix(first, second)",
         ),
         ("mix(1, quiet=True)", "mix() fails: it has no parameter 'quiet'", "take out quiet="),
+        (
+            "mix(quiet=True)",
+            "mix() fails: it has no parameter 'quiet', and 'first' is missing",
+            "give what it takes: mix(first)",
+        ),
+        ("mix(frist=1)", "mix() fails: it has no parameter 'frist'", "write first= instead of frist="),
         ("mix(1, lowd=True)", "mix() fails: it has no parameter 'lowd'", "write loud= instead of lowd="),
         (
             "Arm(near_limit=1.0, far_limit=2.0)",
@@ -247,3 +253,56 @@ def test_a_node_whose_constructor_has_an_underscore_less(judge: Judge):
         """,
     )
     assert finding.help == "rename __init_() to __init__()"
+
+
+SWITCHED = """
+import rclpy
+
+FAST = {value}
+
+
+def mix(first): ...
+
+
+def start():
+    if FAST:
+        mix(1)
+    else:
+        mix()  # here
+
+
+{more}
+start()
+"""
+
+
+@pytest.mark.parametrize(
+    ("value", "more", "told"),
+    [
+        ("True", "", False),
+        ("False", "", True),
+        ("1 > 0", "", True),
+        ("True", "FAST = False", True),
+        ("True", "def slow():\n    global FAST\n    FAST = False", True),
+        ("True", "if FAST and rclpy.ok():\n    mix(1)", False),
+    ],
+)
+def test_a_branch_that_a_constant_of_the_module_switches_off(judge: Judge, value: str, more: str, told: bool) -> None:
+    (finding,) = judge("API001", SWITCHED.format(value=value, more=more))
+    assert finding.severity is (Severity.ERROR if told else Severity.INFO)  # a lesson: not left out
+
+
+@pytest.mark.parametrize(
+    ("test", "told"),
+    [("not FAST", False), ("FAST", True), ("FAST or rclpy.ok()", True), ("rclpy.ok() and not FAST", False)],
+)
+def test_what_a_constant_decides(judge: Judge, test: str, told: bool) -> None:
+    (finding,) = judge("API001", SWITCHED.format(value="True", more="").replace("if FAST", f"if not ({test})"))
+    assert finding.severity is (Severity.ERROR if told else Severity.INFO)
+
+
+def test_a_constant_that_another_file_sets(judge: Judge) -> None:
+    (finding,) = judge(
+        "API001", SWITCHED.format(value="True", more=""), "import rclpy\nimport node\nnode.FAST = False\n"
+    )
+    assert finding.severity is Severity.ERROR

@@ -1,14 +1,18 @@
-"""Code behind a flag that stays false: ``if self.rotate:``, where everything that sets ``self.rotate`` to true is
-commented out."""
+"""Code behind a flag that stays as it is: ``if self.rotate:``, where everything that sets ``self.rotate`` to true is
+commented out, or the ``else`` of ``if USE_LIDAR:`` below ``USE_LIDAR = True``."""
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from archlint.analysis.opened_guards import asked_before
 from archlint.analysis.own_names import BY_NAME
 from archlint.analysis.source_code import code_of
 from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
+from archlint.syntax.control_flow import graph_of
 from archlint.syntax.parts import everything_in, once_for
 
 if TYPE_CHECKING:
@@ -16,12 +20,17 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
 _BY_NAME = BY_NAME | {"setattr"}
+_BY_TEXT = frozenset({"exec", "globals", "setattr", "vars"})
+"""With one of these a file may give a variable of the module another value."""
 
 
 def is_switched_off(workspace: WorkspaceIndex | None, place: Place) -> bool:
-    """Whether a function gets to a place only where an attribute of ``self`` is true that nothing ever makes true."""
+    """Whether a function gets to a place only where an attribute of ``self`` is true that nothing ever makes true, or
+    where a constant of the module is not what it is."""
     if workspace is None:
         return False
+    if _is_decided_against(workspace, place):
+        return True
     file_facts = workspace.facts_at(place.file)
     flags = frozenset() if file_facts is None else _false_flags(file_facts)
     if not flags:
@@ -29,6 +38,65 @@ def is_switched_off(workspace: WorkspaceIndex | None, place: Place) -> bool:
     asked = {name.removeprefix("self.") for name in asked_before(code_of(workspace).body_at(place), place)}
     mentioning = workspace.code.files_that_mention
     return any(all(file == place.file for file in mentioning(flag)) for flag in sorted(asked & flags))
+
+
+def _is_decided_against(workspace: WorkspaceIndex, place: Place) -> bool:
+    """Whether a test on the way to a place has the other outcome, by the constants of the module."""
+    file_facts = workspace.facts_at(place.file)
+    constants = {} if file_facts is None else _constants(file_facts)
+    if not constants:
+        return False
+    graph = graph_of(code_of(workspace).body_at(place))
+    for edge in graph.outcomes(graph.evaluating(place.span)):
+        if edge.test is not None and _outcome(edge.test, constants) is (not edge.holds):
+            names = {name.id for name in everything_in([edge.test], facts.Name)} & constants.keys()
+            return not any(_is_reached_into(workspace, place.file, name) for name in names)
+    return False
+
+
+@once_for
+def _constants(file_facts: facts.Facts) -> dict[str, bool]:
+    """The variables of a module that one statement of it binds, to ``True`` or ``False``."""
+    if any(name.id in _BY_TEXT for name in everything_in(file_facts.body, facts.Name)):
+        return {}
+    bound = Counter(name for part in everything_in(file_facts.body) for name in bound_by(part))
+    rows: dict[str, bool] = {}
+    for statement in file_facts.body:
+        match statement:
+            case facts.Assign(targets=[facts.Name(id=name)], value=facts.Literal(value=bool(value))):
+                if bound[name] == 1:
+                    rows[name] = value
+    return rows
+
+
+def _outcome(test: facts.Expr, constants: Mapping[str, bool]) -> bool | None:
+    """What a test comes to by some constants; None where they do not decide it."""
+    match test:
+        case facts.Name(id=name):
+            return constants.get(name)
+        case facts.Unary(op="not", operand=operand):
+            outcome = _outcome(operand, constants)
+            return None if outcome is None else not outcome
+        case facts.Boolean(op=op, values=values):
+            outcomes = [_outcome(value, constants) for value in values]
+            decides = op == "or"
+            if decides in outcomes:
+                return decides
+            return None if None in outcomes else not decides
+    return None
+
+
+def _is_reached_into(workspace: WorkspaceIndex, file: str, name: str) -> bool:
+    """Whether another file may set a variable of a module: ``settings.DEBUG = True``, or a text that names it."""
+    for path in workspace.code.files_that_mention(name):
+        code = None if path == file else workspace.facts_at(path)
+        if code is None:
+            continue
+        if any(part.attr == name for part in everything_in(code.body, facts.Attribute)):
+            return True
+        if any(part.value == name for part in everything_in(code.body, facts.Literal)):
+            return True
+    return False
 
 
 @once_for

@@ -44,6 +44,9 @@ def own_call_findings(system: System) -> Iterator[Finding]:
 def _finding(call: RefusedOwnCall) -> Finding:
     wrong, name = call.misfit, call.name.rpartition(".")[2]
     what = what_does_not_fit(wrong.misuse, wrong.parameters, wrong.takes)
+    lacking = _lacking(call)
+    if lacking:
+        what += f", and {what_does_not_fit(Misuse.MISSING, lacking, 0)}"
     if call.instead:
         what += f", as {call.instead}() is no constructor"
     return finding(
@@ -61,12 +64,18 @@ def _cure(call: RefusedOwnCall) -> str:
     wrong = call.misfit
     if call.instead:
         return f"rename {call.instead}() to __init__()"
-    if wrong.misuse is Misuse.UNKNOWN_KEYWORD:
+    if wrong.misuse is Misuse.UNKNOWN_KEYWORD and not _lacking(call):
         return cure_of_keywords(wrong.parameters, keywords_meant(wrong.parameters, call.keywords))
     itself = {"node", "parent_node", "ros_node"} if call.in_node else set[str]()
     takes = ", ".join("self" if name in itself else name for name in call.signature)
     # The names of parameters are those of the definition: where the call is, there may be no such variables.
     return f"{'write' if itself.issuperset(call.signature) else 'give what it takes:'} {call.name}({takes})"
+
+
+def _lacking(call: RefusedOwnCall) -> tuple[str, ...]:
+    """The parameters that are missing beside unknown keywords, none of which means one of them."""
+    meant = keywords_meant(call.misfit.parameters, call.keywords) if call.misfit.missing else {}
+    return tuple(name for name in call.misfit.missing if name not in meant.values())
 
 
 def _compared(test: ComparedMethod) -> Finding:

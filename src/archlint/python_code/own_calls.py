@@ -53,11 +53,13 @@ class FunctionInFile:
 
 @dataclass(frozen=True)
 class Misfit:
-    """What is wrong with the arguments of a call: the parameters it is about, and how many it takes by position."""
+    """What is wrong with the arguments of a call: the parameters it is about, how many it takes by position, and what
+    is ``missing`` beside unknown keywords."""
 
     misuse: Misuse
     parameters: tuple[str, ...] = ()
     takes: int = 0
+    missing: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -112,13 +114,13 @@ def _misfit(params: Sequence[facts.Param], call: OwnCall) -> Misfit | None:
     if call.given > len(by_position) and "star" not in kinds:
         return Misfit(Misuse.TOO_MANY, takes=len(by_position))
     unknown = tuple(name for name in call.keywords if name not in by_name)
-    if unknown and "double_star" not in kinds:
-        return Misfit(Misuse.UNKNOWN_KEYWORD, unknown)
     filled = {*by_position[: call.given], *call.keywords}
+    missing = tuple(name for name in _needed(params) if name not in filled)
+    if unknown and "double_star" not in kinds:
+        return Misfit(Misuse.UNKNOWN_KEYWORD, unknown, missing=missing)
     twice = tuple(name for name in call.keywords if name in by_position[: call.given])
     if twice:
         return Misfit(Misuse.TWICE, twice)
-    missing = tuple(name for name in _needed(params) if name not in filled)
     return Misfit(Misuse.MISSING, missing) if missing else None
 
 
