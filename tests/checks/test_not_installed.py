@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.workspace.tracked import index_of
 from robot_package import CMAKE, SETUP, TALKER, manifest, node
 
 IMPORTS = "from robot.words.greetings import HELLO\n" + TALKER
@@ -459,6 +460,14 @@ def test_what_a_launch_file_names_is_told_there(findings):
 # -------------------------------------------------------------------------------------------- what is listed in vain
 
 
+INSTALLS_FILM = """project(robot)
+find_package(ament_cmake REQUIRED)
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+install(FILES films/test.mp4 DESTINATION share/${PROJECT_NAME})
+ament_package()
+"""
+
+
 def listing(*files: str) -> str:
     rows = f"('share/ament_index/resource_index/packages', ['resource/robot']), ('share/robot', {list(files)!r}), "
     return SETUP.replace("data_files=[", f"data_files=[{rows}")
@@ -581,6 +590,24 @@ def test_a_launch_file_that_is_not_installed_beside_one_that_is_not_there(findin
 )
 def test_a_file_that_may_be_made_before_the_build(findings, files):
     assert findings("PKG004", **{"setup.py": listing("a.yaml"), "resource/robot": ""} | files) == []
+
+
+@pytest.mark.parametrize(
+    ("build", "path"),
+    [
+        ({"setup.py": listing("films/test.mp4")}, b"films/test.mp4"),
+        ({"package.xml": CMAKE, "CMakeLists.txt": INSTALLS_FILM}, b"films/test.mp4"),
+    ],
+    ids=["setup.py", "CMake"],
+)
+def test_a_file_that_git_has_and_this_checkout_never_had(findings, tmp_path, build, path):
+    files = {"resource/robot": "", "launch/it.launch.xml": "<launch/>", **build}
+    assert len(findings("PKG004", **files)) == 1
+    (tmp_path / ".git").mkdir()
+    (tmp_path / ".git" / "index").write_bytes(index_of([b"films/other.mp4"]))
+    assert len(findings("PKG004", **files)) == 1
+    (tmp_path / ".git" / "index").write_bytes(index_of([path]))
+    assert findings("PKG004", **files) == []
 
 
 BUILD = """project(robot)

@@ -252,6 +252,7 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
             if (
                 not _is_pattern(row)
                 and not workspace.tree.is_file(row.source)
+                and not workspace.tree.is_only_in_git(row.source)
                 and not is_ignored(workspace, row.source)
             ):
                 [below] = paths_below(installs, [row.source])
@@ -352,6 +353,8 @@ def _missing(workspace: WorkspaceIndex, installs: Installs, needed: NeededSource
     is_there = workspace.tree.is_folder if needed.folder else workspace.tree.is_file
     inside = installs.folder == "." or needed.path.startswith(f"{installs.folder}/")
     if not inside or needed.path.endswith(_BUILT) or is_there(needed.path):
+        return None
+    if workspace.tree.is_only_in_git(needed.path):
         return None
     if is_ignored(workspace, needed.path, by_name=True) or submodule_around(workspace, needed.path) is not None:
         return None

@@ -20,6 +20,12 @@ _HASHES = (20, 32)
 _EXTENDED = 0x4000
 _LENGTH = 0x0FFF
 """Of the flags of an entry: whether there are more of them, and the bytes of its path (at most so many are told)."""
+_SKIPPED = 0x4000
+"""Of the further flags: a sparse checkout leaves the file out."""
+_TIMES = 16
+"""The first bytes of an entry: when the file was changed, as git saw it last; zeros where it never did."""
+_Entry = tuple[bytes, bool]
+"""A path, and whether the file was never put beside the index."""
 
 
 class Tracked:
@@ -42,17 +48,33 @@ class Tracked:
 
     def has(self, path: str, is_folder: bool = False) -> bool:
         """Whether a file is tracked, or a folder has a tracked file in it or is a submodule."""
-        below = os.fsencode(path[len(self.root.rstrip(os.sep)) + 1 :].replace(os.sep, "/"))
-        if _is_at(self._paths, below):
-            return True
-        if not is_folder:
-            return False
-        position = bisect_left(self._paths, below + b"/")
-        return position < len(self._paths) and self._paths[position].startswith(below + b"/")
+        return _has(self._paths, self._below(path), is_folder)
+
+    def has_elsewhere(self, path: str) -> bool:
+        """Whether a path is a tracked file that this checkout never had, or a folder with one: the checkout is sparse,
+        or of a partial clone.  A file that was there and is deleted is none of them."""
+        return _has(self.never_checked_out, self._below(path), is_folder=True)
+
+    @cached_property
+    def never_checked_out(self) -> list[bytes]:
+        """The tracked files that this checkout never had, sorted."""
+        return never_checked_out(self.index)
 
     @cached_property
     def _paths(self) -> list[bytes]:
         return sorted(paths_of_index(_bytes(self.index)))
+
+    def _below(self, path: str) -> bytes:
+        return os.fsencode(path[len(self.root.rstrip(os.sep)) + 1 :].replace(os.sep, "/"))
+
+
+def _has(paths: list[bytes], path: bytes, is_folder: bool) -> bool:
+    if _is_at(paths, path):
+        return True
+    if not is_folder:
+        return False
+    position = bisect_left(paths, path + b"/")
+    return position < len(paths) and paths[position].startswith(path + b"/")
 
 
 def _is_at(paths: list[bytes], path: bytes) -> bool:
@@ -83,23 +105,42 @@ def _bytes(path: str, most: int = _MOST_BYTES) -> bytes:
         return b""
 
 
+def never_checked_out(index: str) -> list[bytes]:
+    """The files that an index lists and that were never put beside it, sorted."""
+    return sorted(path for path, absent in _all_entries(_bytes(index)) if absent)
+
+
+def repository_around(path: str) -> Tracked | None:
+    """The repository that a path lies in; None where there is none."""
+    folder = os.path.dirname(path)
+    while not os.path.lexists(os.path.join(folder, ".git")):
+        folder, below = os.path.dirname(folder), folder
+        if folder == below:
+            return None
+    return Tracked(folder)
+
+
 def paths_of_index(data: bytes) -> list[bytes]:
     """The paths of an index, from the root of its repository; none of what is no index."""
+    return [path for path, _ in _all_entries(data)]
+
+
+def _all_entries(data: bytes) -> list[_Entry]:
     if len(data) < _HEADER.size:
         return []
     mark, version, count = _HEADER.unpack_from(data)
     if mark != b"DIRC" or version not in (2, 3, 4):
         return []
     for hash_size in _HASHES:
-        paths = _entries(data, version, count, hash_size)
-        if paths is not None:
-            return paths
+        entries = _entries(data, version, count, hash_size)
+        if entries is not None:
+            return entries
     return []
 
 
-def _entries(data: bytes, version: int, count: int, hash_size: int) -> list[bytes] | None:
-    """The paths of all entries; None if the entries do not have this form."""
-    paths: list[bytes] = []
+def _entries(data: bytes, version: int, count: int, hash_size: int) -> list[_Entry] | None:
+    """All entries; None if the entries do not have this form."""
+    entries: list[_Entry] = []
     at, before = _HEADER.size, b""
     for _ in range(count):
         start = at
@@ -107,7 +148,9 @@ def _entries(data: bytes, version: int, count: int, hash_size: int) -> list[byte
         if at > len(data):
             return None
         flags = int.from_bytes(data[at - 2 : at], "big")
+        absent = not any(data[start : start + _TIMES])
         if flags & _EXTENDED:
+            absent = absent or bool(int.from_bytes(data[at : at + 2], "big") & _SKIPPED)
             at += 2
         kept = b""
         if version == 4:
@@ -117,10 +160,10 @@ def _entries(data: bytes, version: int, count: int, hash_size: int) -> list[byte
         path = kept + data[at:end]
         if end < 0 or not path or min(len(path), _LENGTH) != flags & _LENGTH:
             return None
-        paths.append(path)
+        entries.append((path, absent))
         before = path
         at = end + 1 if version == 4 else start + (end - start + 8) // 8 * 8
-    return paths
+    return entries
 
 
 def index_of(paths: list[bytes]) -> bytes:

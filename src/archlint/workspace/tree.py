@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.disk import read_regular, walk
+from archlint.workspace.tracked import Tracked, never_checked_out, repository_around
 from archlint.workspace.words import Words
 
 if TYPE_CHECKING:
@@ -47,6 +48,8 @@ class Tree(Protocol):
 
     def is_folder(self, path: str) -> bool: ...
 
+    def is_only_in_git(self, path: str) -> bool: ...
+
     def files_below(self, folder: str) -> Sequence[str]: ...
 
     def read_again(self, path: str) -> None: ...
@@ -75,6 +78,9 @@ class _NoFiles:
         return False
 
     def is_folder(self, path: str) -> bool:
+        return False
+
+    def is_only_in_git(self, path: str) -> bool:
         return False
 
     def files_below(self, folder: str) -> Sequence[str]:
@@ -126,6 +132,11 @@ class _Remembered:
         return is_full
 
 
+def _digest_of(paths: Iterable[bytes]) -> str:
+    """Of what a checkout never had, and not of its index: git writes that anew for other reasons, too."""
+    return hashlib.sha256(b"\0".join(paths)).hexdigest()
+
+
 _OF_CACHES = "CACHEDIR.TAG"
 """The file by which programs know the folder of a cache.  Source: https://bford.info/cachedir/"""
 
@@ -141,6 +152,8 @@ class SourceTree:
         """The paths of folders without symbolic links: each is asked for all folders around it."""
         self._listed: dict[str, list[str]] = {}
         self._read = _Remembered()
+        self._repositories: dict[str, Tracked] = {}
+        """By the index of each."""
         self._decoded: dict[str, tuple[bytes, str]] = {}
         """The text of what was read last, by path."""
         self.asked: dict[Question, str | None] = {}
@@ -170,6 +183,17 @@ class SourceTree:
 
     def is_folder(self, path: str) -> bool:
         return self._kind(path) == "folder"
+
+    def is_only_in_git(self, path: str) -> bool:
+        """Whether git has a file, or files of a folder, that were never put into this checkout: a clone has them."""
+        real = self._real(path)
+        repository = None if real is None or real.exists() else repository_around(str(real))
+        if repository is None:
+            return False
+        index = os.path.relpath(repository.index, os.path.realpath(self.base)).replace(os.sep, "/")
+        repository = self._repositories.setdefault(index, repository)
+        self._note(("index", index), _digest_of(repository.never_checked_out))
+        return repository.has_elsewhere(str(real))
 
     def _kind(self, path: str) -> str | None:
         kind = self._kind_now(path)
@@ -269,6 +293,8 @@ class SourceTree:
             self._text(path, kind)
         elif kind == "listing":
             self.files_below(path)
+        elif kind == "index":
+            self._note(question, _digest_of(never_checked_out(os.path.join(os.path.realpath(self.base), path))))
         else:
             self.is_file(path)
         return self.asked.get(question)
