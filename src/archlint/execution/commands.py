@@ -39,6 +39,8 @@ def _asks_for_a_moment(command_line: Sequence[str]) -> bool:
             return _LASTING.isdisjoint(rest)
         case ["nmcli", *rest]:
             return bool({"show", "status"} & set(rest)) and _LASTING.isdisjoint(rest)
+        case ["echo" | "printf" | "touch", *rest]:
+            return not any(sign in word for word in rest for sign in _GOES_ON)
         case [command, *_]:
             return command in _SHORT
     return False
@@ -66,6 +68,9 @@ _SHORT = frozenset(
     | {"kill", "killall", "pgrep", "pidof", "pkill"}
 )
 """Commands that ask the kernel or a service of this machine for something, or set it, and end."""
+_UNKNOWN = "?"
+_GOES_ON = (";", "|", "&", "`", "$(")
+"""Signs by which a shell runs another command, too, or first."""
 _LASTING = frozenset({"event", "exec", "monitor", "rescan", "scan"})
 """Words that make such a command last."""
 
@@ -86,8 +91,14 @@ def _commands(code: SourceCode, call: ApiCall) -> list[list[str]]:
 
 
 def _words_in(values: Sequence[facts.Base]) -> list[str]:
-    literals = everything_in(values, facts.Literal)
-    return [word for literal in literals if isinstance(literal.value, str) for word in literal.value.split()]
+    """A field of an f-string is a word, or a part of one, that nobody knows."""
+    words: list[str] = []
+    for part in everything_in(values, facts.Base):
+        if isinstance(part, facts.Literal) and isinstance(part.value, str):
+            words += part.value.split()
+        elif isinstance(part, facts.FormatString):
+            words += "".join(text if isinstance(text, str) else _UNKNOWN for text in part.parts).split()
+    return words
 
 
 __all__ = ["ends_the_machine", "is_soon_over"]
