@@ -508,6 +508,51 @@ def test_what_nobody_can_run_fails_nowhere(tmp_path, monkeypatch, files, told: i
     assert len([finding for finding in rows if finding.code == "EXE004"]) == told
 
 
+WRONG_CALL = """
+def rest(seconds): ...
+
+
+def pause():
+    rest()
+"""
+
+
+@pytest.mark.parametrize(
+    ("start", "files", "told"),
+    [
+        ("import rclpy\nimport behaviortrees9\n", {}, 0),
+        ("import rclpy\nfrom behaviortrees9.nodes import Repeat\n", {}, 0),
+        ("import rclpy\n", {}, 1),
+        ("import rclpy\nimport cv2\n", {}, 1),
+        ("import rclpy\nimport behaviortrees9\n", {"requirements.txt": "behaviortrees9\n"}, 1),
+        ("import rclpy\nimport behaviortrees9\n", {"robot/driver.py": "from robot.one import pause\n"}, 1),
+        ("import rclpy\nimport behaviortrees9\n", {"robot/two.py": "from robot.one import pause\npause()\n"}, 1),
+        ("import rclpy\n", {"robot/two.py": "from robot.one import pause\nimport behaviortrees9\n"}, 0),
+        ("import rclpy\ntry:\n    import behaviortrees9\nexcept ImportError:\n    pass\n", {}, 1),
+    ],
+    ids=[
+        "a module that is nowhere",
+        "a name of it",
+        "imports what is there",
+        "imports what rosdep knows",
+        "imports what is to be installed",
+        "a program imports it",
+        "a script imports it",
+        "only what cannot be imported does",
+        "goes on without the module",
+    ],
+)
+def test_what_cannot_be_imported_and_no_program_uses(tmp_path, monkeypatch, start: str, files: dict[str, str], told):
+    own = {"package.xml": MANIFEST.strip(), "setup.py": SETUP.replace("{more}", ""), "robot/__init__.py": ""}
+    own |= {"robot/driver.py": "def main(): pass\n", "robot/one.py": start + WRONG_CALL}
+    for name, text in {**own, **files}.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), Settings(unused_files=True), cached=False, jobs=1)).findings
+    assert len([finding for finding in rows if finding.code == "API001"]) == told
+
+
 @pytest.mark.parametrize(
     ("paths", "count", "copies"),
     [

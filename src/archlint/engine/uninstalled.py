@@ -13,10 +13,16 @@ from archlint.checks.folding import all_sites, with_others
 from archlint.checks.registry import registered
 from archlint.finding import Finding, Related, Severity
 from archlint.packaging.absent_packages import is_from_nowhere
+from archlint.packaging.renamed_packages import is_no_package
+from archlint.python_code.how_imported import imports_file
 from archlint.syntax import facts
+from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
+
+_DEPTH = 4
+"""How many files that import each other are looked at."""
 
 
 def files_of(workspace: WorkspaceIndex, findings: Iterable[Finding]) -> frozenset[str]:
@@ -39,11 +45,14 @@ def as_information(findings: Iterable[Finding], files: AbstractSet[str]) -> list
     ]
 
 
-def without_dead_ends(findings: Iterable[Finding], files: AbstractSet[str], workspace: WorkspaceIndex) -> list[Finding]:
+def without_dead_ends(findings: Sequence[Finding], files: AbstractSet[str], workspace: WorkspaceIndex) -> list[Finding]:
     """The findings without those about code in some files that nobody can run: what imports beside itself
     (``from .arm import Arm``) cannot be started by its path, and a folder without ``__init__.py`` is not installed.
-    What imports interfaces of a package that is nowhere stops there."""
+    What imports interfaces of a package that is nowhere stops there.  So it is with a module that no program comes to
+    and that cannot be imported itself."""
     dead = {file for file in files if _is_dead_end(workspace, file)}
+    others = {finding.place.file for finding in findings if _is_about_calls(finding)} - files
+    dead |= {file for file in others if _is_stillborn(workspace, file)}
     return [finding for finding in findings if finding.place.file not in dead or not _is_about_calls(finding)]
 
 
@@ -56,6 +65,40 @@ def _is_dead_end(workspace: WorkspaceIndex, file: str) -> bool:
     if workspace.tree.is_file(init):
         return False
     return any(isinstance(statement, facts.ImportFrom) and statement.level > 0 for statement in code.body)
+
+
+def _is_stillborn(workspace: WorkspaceIndex, file: str, depth: int = _DEPTH) -> bool:
+    """Whether a file is no program and in use by none, and imports a module that is nowhere as it starts, or is
+    imported by such files alone."""
+    code = workspace.facts_at(file)
+    if code is None or depth == 0 or file in workspace.code.in_use or _may_be_started(workspace, file, code):
+        return False
+    stem = posixpath.basename(file).removesuffix(".py")
+    paths = (path for path in workspace.code.files_that_mention(stem) if path != file)
+    importing = [path for path in paths if imports_file(workspace, path, file)]
+    if importing:
+        return all(_is_stillborn(workspace, path, depth - 1) for path in importing)
+    return any(
+        workspace.code.path_of_import(file, module) is None and is_no_package(workspace, module.partition(".")[0])
+        for module in _modules_at_start(code)
+    )
+
+
+def _may_be_started(workspace: WorkspaceIndex, file: str, code: facts.Facts) -> bool:
+    """Whether a file does something as it is loaded, or is in no package whose programs are known."""
+    installs = workspace.installs.get(workspace.package_of(file) or "")
+    if installs is None or installs.open_executables or not installs.executables or main_guard(code) is not None:
+        return True
+    return posixpath.basename(file) == "__init__.py" or any(
+        isinstance(statement, facts.Expression) and isinstance(statement.value, facts.Call) for statement in code.body
+    )
+
+
+def _modules_at_start(code: facts.Facts) -> Iterator[str]:
+    """The modules that a file imports as it starts, whatever then happens, but for those beside it."""
+    for statement in code.body:
+        if isinstance(statement, facts.Import) or (isinstance(statement, facts.ImportFrom) and not statement.level):
+            yield statement.module
 
 
 def _interface_packages(code: facts.Facts) -> Iterator[str]:

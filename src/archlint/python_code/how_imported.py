@@ -145,7 +145,7 @@ def defined_beside(workspace: WorkspaceIndex, file: str, name: str) -> str:
     paths = {path: module for module, path in workspace.code.modules_of(package).items() if "." in module}
     mentioning = (path for path in workspace.code.files_that_mention(name) if path in paths and path != file)
     having = [path for path in mentioning if not workspace.roles.is_test(path) and _defines(workspace, path, name)]
-    if len(having) != 1 or _uses(workspace, having[0], file):
+    if len(having) != 1 or imports_file(workspace, having[0], file):
         return ""
     return f"from {paths[having[0]]} import {name}"
 
@@ -156,12 +156,18 @@ def _defines(workspace: WorkspaceIndex, path: str, name: str) -> bool:
     return any(isinstance(part, (facts.Class, facts.Function)) and part.name == name for part in body)
 
 
-def _uses(workspace: WorkspaceIndex, path: str, file: str) -> bool:
-    """Whether a file imports another one: that one cannot import from it as it starts."""
+def imports_file(workspace: WorkspaceIndex, path: str, file: str) -> bool:
+    """Whether one file imports another one, or something from it, in whichever line."""
     code = workspace.facts_at(path)
-    for statement in () if code is None else everything_in(code.body, facts.ImportFrom):
-        modules = [statement.module, *(f"{statement.module}.{name}".lstrip(".") for name, _ in statement.names)]
-        if any(workspace.code.path_of_import(path, module, statement.level) == file for module in modules):
+    for statement in () if code is None else everything_in(code.body):
+        modules: list[str] = []
+        level = 0
+        match statement:
+            case facts.Import(module=module):
+                modules = [module]
+            case facts.ImportFrom(module=module, names=names, level=level):
+                modules = [module, *(f"{module}.{name}".lstrip(".") for name, _ in names)]
+        if any(workspace.code.path_of_import(path, module, level) == file for module in modules):
             return True
     return False
 
@@ -191,4 +197,4 @@ def _statements(code: facts.Facts) -> frozenset[tuple[str, str]]:
     return frozenset(rows)
 
 
-__all__ = ["defined_beside", "idle_import_with", "import_of", "interface_meant"]
+__all__ = ["defined_beside", "idle_import_with", "import_of", "imports_file", "interface_meant"]
