@@ -1183,6 +1183,8 @@ PART = "from launch import LaunchDescription\n\ndef generate_launch_description(
     ("submodule", "said"),
     [
         ("secret_ros", "which its package.xml does not declare"),  # not checked out: it may be in there
+        ("ros-secret-driver", "which its package.xml does not declare"),  # it has the name of the package in its own
+        ("ros-secret-talk", "neither in this workspace nor released"),
         ("hidden_ros", "neither in this workspace nor released"),
         ("talk", "neither in this workspace nor released"),  # checked out, and it is not there
     ],

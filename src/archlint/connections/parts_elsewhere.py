@@ -65,9 +65,16 @@ def is_fetched(workspace: WorkspaceIndex, package: str) -> bool:
 
 def may_be_in_a_submodule(workspace: WorkspaceIndex, package: str) -> bool:
     """Whether a git submodule that is not checked out begins with the word that a package does: ``arm_ros`` may bring
-    ``arm_description``."""
-    first = re.split(r"[_-]", package.lower())[0]
-    return len(first) > _SHORT and any(first in _submodule_words(name) for name in _absent_submodules(workspace))
+    ``arm_description``.  Or whether its name has that of the package in it: ``ros-imu-bno`` brings ``imu_bno``."""
+    first, *others = words = re.split(r"[_-]", package.lower())
+    absent = _absent_submodules(workspace)
+    if others and any(_has_in_a_row(re.split(r"[_-]", name.lower()), words) for name in absent):
+        return True
+    return len(first) > _SHORT and any(first in _submodule_words(name) for name in absent)
+
+
+def _has_in_a_row(words: list[str], wanted: list[str]) -> bool:
+    return any(words[at : at + len(wanted)] == wanted for at in range(len(words)))
 
 
 _SHORT = 3
