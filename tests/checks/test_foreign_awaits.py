@@ -68,6 +68,27 @@ def test_an_await_that_raises(judge: Judge, line: str, rest: str):
 
 
 @pytest.mark.parametrize(
+    ("line", "either"),
+    [
+        ("await asyncio.wait_for(self.planner.call_async(Trigger.Request()), 1.0)  # here", True),
+        ("sent = self.planner.call_async(Trigger.Request())\n        await asyncio.wait_for(sent, 1.0)  # here", True),
+        ("await asyncio.wait_for(self.rest(), 1.0)  # here", False),
+        ("rest = self.rest()\n        await asyncio.wait_for(rest, timeout=1.0)  # here", False),
+    ],
+)
+def test_a_future_of_rclpy_needs_no_loop_and_gets_none_in_a_thread(judge: Judge, line: str, either: bool):
+    """asyncio takes no Future of rclpy, in whatever loop."""
+    text = node(line).replace("import String\n", "import String\nfrom std_srvs.srv import Trigger\n")
+    planner = "super().__init__('robot')\n        self.planner = self.create_client(Trigger, 'plan')"
+    [finding] = judge("EXE010", text.replace("super().__init__('robot')", planner))
+    assert finding.help == (
+        "await an rclpy.task.Future that a timer completes, or the answer in its add_done_callback()"
+        if either
+        else "do this in a thread of its own, with asyncio.run()"
+    )
+
+
+@pytest.mark.parametrize(
     "tick", ["asyncio.create_task(self.rest())  # here", "task = asyncio.create_task(sleep(1))  # here"]
 )
 def test_a_task_that_no_loop_can_run(judge: Judge, tick: str):

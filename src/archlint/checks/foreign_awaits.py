@@ -6,15 +6,16 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import one_for_each_place
+from archlint.analysis.source_code import source_code
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.execution.callback_roles import callback_words
 from archlint.finding import Finding
-from archlint.libraries.tables.event_loops import SLEEP, STARTS
+from archlint.libraries.tables.event_loops import LIMITS, SLEEP, STARTS
 from archlint.model import Role
-from archlint.python_code.foreign_awaits import foreign_awaits
+from archlint.python_code.foreign_awaits import foreign_awaits, waits_for_an_answer
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 _IN_A_TIMER = "continue in a timer: create_timer(…), and cancel it when it has fired"
 _UNTIL_A_TIMER = "await an rclpy.task.Future that a timer completes"
 _IN_A_THREAD = "do this in a thread of its own, with asyncio.run()"
+_UNTIL_EITHER = "await an rclpy.task.Future that a timer completes, or the answer in its add_done_callback()"
 
 
 @rule("EXE010", scope=Scope.CODE)
@@ -40,14 +42,16 @@ def _finding(system: System, program: Program, call: ApiCall) -> Finding:
         call,
         f"{callback_words(call.context)} {verb} {call.api}(), which raises a RuntimeError: rclpy's executor is no "
         "event loop of asyncio",
-        help=_help(call),
+        help=_help(system, call),
         identity=(call.api,),
         group=(call.place.file, call.context.name),
     )
 
 
-def _help(call: ApiCall) -> str:
+def _help(system: System, call: ApiCall) -> str:
     """What to do instead; a handler that returns before its time has answered with nothing."""
+    if call.api == LIMITS and waits_for_an_answer(source_code(system), call):
+        return _UNTIL_EITHER
     if call.api != SLEEP:
         return _IN_A_THREAD
     return _UNTIL_A_TIMER if call.context.role in (Role.SERVICE, Role.EXECUTE) else _IN_A_TIMER

@@ -91,4 +91,17 @@ def _is_expected(code: SourceCode, call: ApiCall) -> bool:
     )
 
 
-__all__ = ["foreign_awaits"]
+def waits_for_an_answer(code: SourceCode, call: ApiCall) -> bool:
+    """Whether the first thing that is awaited is a Future of rclpy's: what a client returns for a request, itself or
+    by a variable.  asyncio refuses it in a loop of its own, too."""
+    values = [argument.value for argument in code.arguments(call)[:1]]
+    names = {value.dotted for value in values if isinstance(value, facts.Name)}
+    for row in parts_of(code.body(call), facts.Assign) if names else ():
+        values += [row.value for target in row.targets if target.dotted in names]
+    return any(isinstance(value, facts.Call) and value.func.attribute in _REQUESTS for value in values)
+
+
+_REQUESTS = frozenset({"call_async", "send_goal_async", "get_result_async", "cancel_goal_async"})
+
+
+__all__ = ["foreign_awaits", "waits_for_an_answer"]

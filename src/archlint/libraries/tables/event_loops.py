@@ -6,6 +6,7 @@ from __future__ import annotations
 from archlint.libraries.tables.api import Api
 
 SLEEP = "asyncio.sleep"
+LIMITS = "asyncio.wait_for"
 STARTS = "asyncio.create_task"
 """Starts a coroutine, and is not awaited."""
 
@@ -24,4 +25,4 @@ NEED_A_LOOP = {
     )
 }
 
-__all__ = ["NEED_A_LOOP", "SLEEP", "STARTS"]
+__all__ = ["LIMITS", "NEED_A_LOOP", "SLEEP", "STARTS"]
