@@ -528,6 +528,22 @@ def pause():
         ("import rclpy\nimport behaviortrees9\n", {"robot/driver.py": "from robot.one import pause\n"}, 1),
         ("import rclpy\nimport behaviortrees9\n", {"robot/two.py": "from robot.one import pause\npause()\n"}, 1),
         ("import rclpy\n", {"robot/two.py": "from robot.one import pause\nimport behaviortrees9\n"}, 0),
+        (
+            "import rclpy\nSPEED = 1\n",
+            {
+                "robot/driver.py": "from robot.one import SPEED\ndef main(): pass\n",
+                "robot/two.py": "from robot.one import pause\nimport behaviortrees9\n",
+            },
+            0,
+        ),
+        (
+            "import rclpy\nSPEED = 1\n",
+            {
+                "robot/driver.py": "from robot.one import SPEED, pause\ndef main(): pause()\n",
+                "robot/two.py": "from robot.one import pause\nimport behaviortrees9\n",
+            },
+            1,
+        ),
         ("import rclpy\ntry:\n    import behaviortrees9\nexcept ImportError:\n    pass\n", {}, 1),
     ],
     ids=[
@@ -539,6 +555,8 @@ def pause():
         "a program imports it",
         "a script imports it",
         "only what cannot be imported does",
+        "a function for it, in a module that a program imports",
+        "a function for it and for a program",
         "goes on without the module",
     ],
 )

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_not_installed
 from archlint.checks.folding import all_sites, with_others
 from archlint.checks.registry import registered
-from archlint.finding import Finding, Related, Severity
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.absent_packages import is_from_nowhere
 from archlint.packaging.renamed_packages import is_no_package
 from archlint.python_code.how_imported import imports_file
@@ -53,7 +53,12 @@ def without_dead_ends(findings: Sequence[Finding], files: AbstractSet[str], work
     dead = {file for file in files if _is_dead_end(workspace, file)}
     others = {finding.place.file for finding in findings if _is_about_calls(finding)} - files
     dead |= {file for file in others if _is_stillborn(workspace, file)}
-    return [finding for finding in findings if finding.place.file not in dead or not _is_about_calls(finding)]
+    return [
+        finding
+        for finding in findings
+        if not _is_about_calls(finding)
+        or not (finding.place.file in dead or _is_for_stillborn_alone(workspace, finding.place))
+    ]
 
 
 def _is_dead_end(workspace: WorkspaceIndex, file: str) -> bool:
@@ -82,6 +87,20 @@ def _is_stillborn(workspace: WorkspaceIndex, file: str, depth: int = _DEPTH) -> 
         workspace.code.path_of_import(file, module) is None and is_no_package(workspace, module.partition(".")[0])
         for module in _modules_at_start(code)
     )
+
+
+def _is_for_stillborn_alone(workspace: WorkspaceIndex, place: Place) -> bool:
+    """Whether a place is in a function or class of a module that only files of its package name which cannot be
+    imported."""
+    code, package = workspace.facts_at(place.file), workspace.package_of(place.file)
+    for part in () if code is None or package is None else code.body:
+        if isinstance(part, (facts.Class, facts.Function)) and part.span[0] <= place.line <= part.span[2]:
+            if code is None or part.name in code.names:
+                return False
+            paths = [path for path in workspace.code.files_that_mention(part.name) if path != place.file]
+            same = all(workspace.package_of(path) == package for path in paths)
+            return bool(paths) and same and all(_is_stillborn(workspace, path) for path in paths)
+    return False
 
 
 def _may_be_started(workspace: WorkspaceIndex, file: str, code: facts.Facts) -> bool:
