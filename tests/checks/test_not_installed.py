@@ -503,6 +503,23 @@ def test_a_marker_with_the_name_of_another_package(findings):
 
 
 @pytest.mark.parametrize(
+    ("folder", "cure"),
+    [
+        ("lib/old_robot", "and write 'robot' in setup.py and setup.cfg"),
+        ("lib/robot", "and write that here"),
+        ("lib/old_robot_arm", "and write that here"),
+    ],
+)
+def test_a_marker_with_the_name_that_the_folder_of_the_programs_has_too(findings, folder: str, cure: str):
+    setup = listing("package.xml").replace("resource/robot", "resource/old_robot")
+    config = f"[develop]\nscript_dir=$base/{folder}\n[install]\ninstall_scripts=$base/{folder}\n"
+    told = findings("PKG004", **{"setup.py": setup, "setup.cfg": config, "resource/old_robot": ""})
+    assert [row.help for row in told if "marker" in row.message] == [
+        f"rename 'resource/old_robot' to 'resource/robot', {cure}"
+    ]
+
+
+@pytest.mark.parametrize(
     "start", [{"README.md": "    ros2 launch old_robot all.launch.xml\n"}, {"launch/it.launch.xml": OF_OLD_NAME}]
 )
 def test_the_name_of_a_marker_by_which_the_package_is_started(findings, start: dict[str, str]):

@@ -334,14 +334,14 @@ def _in_vain(row: ListedInVain, right: str | None) -> Finding:
 
 
 def _misnamed(row: MisnamedMarker) -> Finding:
+    renamed = f"rename '{row.file}' to 'resource/{row.package}'"
+    renamed += f", and write '{row.package}' in setup.py and setup.cfg" if row.scripts_too else ", and write that here"
     return finding(
         "PKG004",
         row.place,
         f"the marker that data_files= installs is '{row.name}', and this is package '{row.package}': ROS takes this "
         f"package for '{row.name}', too",
-        help=f"write <name>{row.name}</name> in package.xml, as it is started by that name"
-        if row.used
-        else f"rename '{row.file}' to 'resource/{row.package}', and write that here",
+        help=f"write <name>{row.name}</name> in package.xml, as it is started by that name" if row.used else renamed,
         identity=(row.package, row.name),
         group=(row.place.file, "marker"),
     )

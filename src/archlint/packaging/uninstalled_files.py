@@ -273,6 +273,8 @@ class MisnamedMarker:
     name: str
     used: bool
     """Whether others start it under that name."""
+    scripts_too: bool
+    """Whether its setup.cfg puts the programs into the folder of that name."""
 
 
 def misnamed_markers(workspace: WorkspaceIndex) -> Iterator[MisnamedMarker]:
@@ -286,7 +288,9 @@ def misnamed_markers(workspace: WorkspaceIndex) -> Iterator[MisnamedMarker]:
         if installs.package not in names and workspace.tree.is_file(rows[0].source):
             [below] = paths_below(installs, [rows[0].source])
             used = names[0] == installs.package.lower() or names[0] in _named_packages(workspace)
-            yield MisnamedMarker(rows[0].place or at, installs.package, below, names[0], used)
+            config = workspace.tree.text(posixpath.join(installs.folder, "setup.cfg")) or ""
+            scripts = re.search(rf"/lib/{re.escape(names[0])}\s*$", config, re.MULTILINE) is not None
+            yield MisnamedMarker(rows[0].place or at, installs.package, below, names[0], used, scripts)
 
 
 @once
