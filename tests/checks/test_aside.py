@@ -512,7 +512,9 @@ WRONG_CALL = """
 def rest(seconds): ...
 
 
-def pause():
+def pause(again=False):
+    if again:
+        pause()
     rest()
 """
 

@@ -16,6 +16,7 @@ from archlint.packaging.absent_packages import is_from_nowhere
 from archlint.packaging.renamed_packages import is_no_package
 from archlint.python_code.how_imported import imports_file
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
@@ -95,7 +96,8 @@ def _is_for_stillborn_alone(workspace: WorkspaceIndex, place: Place) -> bool:
     code, package = workspace.facts_at(place.file), workspace.package_of(place.file)
     for part in () if code is None or package is None else code.body:
         if isinstance(part, (facts.Class, facts.Function)) and part.span[0] <= place.line <= part.span[2]:
-            if code is None or part.name in code.names:
+            others = [other for other in code.body if other is not part] if code is not None else []
+            if any(name.id == part.name for name in everything_in(others, facts.Name)):
                 return False
             paths = [path for path in workspace.code.files_that_mention(part.name) if path != place.file]
             same = all(workspace.package_of(path) == package for path in paths)
