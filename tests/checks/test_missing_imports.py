@@ -134,6 +134,12 @@ def test_a_module_that_the_setup_installs_elsewhere(said: Callable[..., list[Fin
     assert said("from camera import open_camera", **{"setup.py": setup}) == []
 
 
+def test_a_module_that_the_setup_installs_among_the_scripts(said: Callable[..., list[Finding]]) -> None:
+    files = "data_files=[(os.path.join('lib', 'robot'), glob(os.path.join('robot', '*')))], entry_points"
+    setup = "import os\nfrom glob import glob\n" + SETUP.replace("entry_points", files)
+    assert said("import camera", **{"setup.py": setup}) == []
+
+
 def test_a_module_called_like_one_that_is_installed(said: Callable[..., list[Finding]]) -> None:
     assert said("import serial", **{"robot/serial.py": ""}) == []
     assert said("import queue", **{"robot/queue.py": ""}) == []

@@ -202,13 +202,21 @@ def _beside(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Pla
     there = posixpath.join(posixpath.dirname(file.relative), module.replace(".", "/"))
     if top in sys.stdlib_module_names or key_of(top) is not None or path not in (f"{there}.py", f"{there}/__init__.py"):
         return None
-    above = (file.module or "").rpartition(".")[0]
-    if not above or _is_named_in_setup(workspace, file.package or "", above, top):
+    above, package = (file.module or "").rpartition(".")[0], file.package or ""
+    if not above or _is_named_in_setup(workspace, package, above, top) or _is_beside_scripts(workspace, package, path):
         return None
     inside = "" if path.endswith("/__init__.py") else module.rpartition(".")[0].replace(".", "/")
     folder = posixpath.join(posixpath.dirname(file.relative), inside)
     without_init = inside if inside and not workspace.tree.is_file(f"{folder}/__init__.py") else ""
     return MissingImport(place, module, beside=f"{above}.{module}", without_init=without_init)
+
+
+def _is_beside_scripts(workspace: WorkspaceIndex, package: str, path: str) -> bool:
+    """Whether a file is installed among the console scripts of its package, too: Python looks into the folder of the
+    program first."""
+    installs = workspace.installs.get(package)
+    place = f"lib/{package}/{posixpath.basename(path)}"
+    return installs is not None and place in installs.places_of(path)
 
 
 def _is_named_in_setup(workspace: WorkspaceIndex, package: str, above: str, top: str) -> bool:
