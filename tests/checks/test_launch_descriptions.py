@@ -350,6 +350,14 @@ def test_a_description_that_is_forgotten_altogether_is_one_finding(findings):
     assert told.message.startswith("generate_launch_description() returns nothing")
 
 
+def test_a_description_that_a_later_function_makes(findings):
+    """Python keeps the last function of a name."""
+    text = FILE.format(rest="return LaunchDescription([talker])", given="")
+    early = "def generate_launch_description():\n    print('to do')\n\n\n"
+    assert findings("LCH008", **{"launch/it.launch.py": early + text}) == []
+    assert len(findings("LCH008", **{"launch/it.launch.py": text + "\n\n" + early})) == 1
+
+
 @pytest.mark.parametrize(("package", "told"), [("your_package", 0), ("<package name>", 0), ("arm", 1)])
 def test_a_file_in_no_package_that_is_there_to_be_copied(tmp_path, monkeypatch, package: str, told: int):
     monkeypatch.chdir(tmp_path)

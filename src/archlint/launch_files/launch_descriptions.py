@@ -179,12 +179,12 @@ class _Code:
         return ""
 
     def wrong(self) -> Iterator[WrongDescription]:
-        for statement in self.body:
-            match statement:
-                case facts.Function(name=name, decorators=[]) if name == GENERATE and not statement.is_generator:
-                    yield from self._returned(statement)
-                    for parameter in _wanted(statement)[:1]:
-                        yield WrongDescription(Wrong.PARAMETER, statement.name_span, parameter)
+        functions = [part for part in self.body if isinstance(part, facts.Function) and part.name == GENERATE]
+        for function in functions[-1:]:  # an earlier one of the name is gone once the file has been read
+            if not function.decorators and not function.is_generator:
+                yield from self._returned(function)
+                for parameter in _wanted(function)[:1]:
+                    yield WrongDescription(Wrong.PARAMETER, function.name_span, parameter)
         for call in everything_in(self.body, facts.Call):
             kind = self.made(call)
             if kind in _NODES:
