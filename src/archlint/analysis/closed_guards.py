@@ -11,7 +11,7 @@ from archlint.analysis.opened_guards import asked_before
 from archlint.analysis.own_names import BY_NAME
 from archlint.analysis.source_code import code_of
 from archlint.syntax import facts
-from archlint.syntax.bindings import bound_by
+from archlint.syntax.bindings import names_bound
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.parts import everything_in, once_for
 
@@ -59,7 +59,7 @@ def _constants(file_facts: facts.Facts) -> dict[str, bool]:
     """The variables of a module that one statement of it binds, to ``True`` or ``False``."""
     if any(name.id in _BY_TEXT for name in everything_in(file_facts.body, facts.Name)):
         return {}
-    bound = Counter(name for part in everything_in(file_facts.body) for name in bound_by(part))
+    bound = Counter(names_bound(file_facts.body))
     rows: dict[str, bool] = {}
     for statement in file_facts.body:
         match statement:

@@ -6,7 +6,7 @@ import builtins
 from collections.abc import Iterator, Sequence
 
 from archlint.syntax import facts
-from archlint.syntax.bindings import bound_by
+from archlint.syntax.bindings import names_bound
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, Kind, reach, without_exceptions
 from archlint.syntax.parts import everything_in
@@ -18,7 +18,7 @@ def undefined_name(module: facts.Facts, function: str) -> facts.Name | None:
     """The first name that a module, or a ``function`` of it, surely reads and that no line of the file binds."""
     if _may_bind_anything(module.body):
         return None
-    bound = _ALWAYS.union(name for part in everything_in(module.body) for name in bound_by(part))
+    bound = _ALWAYS.union(names_bound(module.body))
     functions = (
         statement.body
         for statement in module.body

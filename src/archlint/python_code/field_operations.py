@@ -17,7 +17,7 @@ from archlint.place import Place
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
-from archlint.syntax.bindings import bound_by
+from archlint.syntax.bindings import names_bound
 from archlint.syntax.interface_values import INTEGER_RANGES
 from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
 
@@ -288,7 +288,7 @@ def _assigned(function: facts.Function) -> frozenset[str]:
 @once_for
 def _read_into(function: facts.Function) -> dict[str, facts.Attribute]:
     """The variables of a function that get an attribute and nothing else."""
-    bound = [name for part in everything_in(function) for name in bound_by(part)]
+    bound = list(names_bound(function))
     attributes: dict[str, facts.Attribute] = {}
     for statement in parts_of(function.body, facts.Assign):
         match statement:

@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING
 from archlint.place import Place
 from archlint.python_code.class_chains import classes_of, files_with, methods_of
 from archlint.python_code.field_operations import asked_for_their_class, deeds_of, goes_wrong
-from archlint.python_code.message_operations import Delivered, MessageOperation, delivered, names_bound
+from archlint.python_code.message_operations import Delivered, MessageOperation, delivered
 from archlint.python_code.message_variables import given_to_others
 from archlint.python_code.methods_at_work import of_self
 from archlint.python_code.plain_kinds import values_of_self
 from archlint.python_code.text_sums import is_its_own
 from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
+from archlint.syntax.bindings import names_bound
 from archlint.syntax.parts import Itself, parts_of
 from archlint.syntax.walk import is_none
 
@@ -82,7 +83,7 @@ def _kept(cls: facts.Class, rows: list[Delivered]) -> dict[str, _Kept]:
     """The attributes that hold the messages of subscriptions, each with the callback that keeps them."""
     messages: dict[Itself[facts.Base], Delivered] = {}
     for row in rows:
-        names = {name for name, section in row.names.items() if not section} - names_bound(row.function)
+        names = {name for name, section in row.names.items() if not section}.difference(names_bound(row.function.body))
         for part in parts_of(row.function.body, facts.Assign):
             if part.value.variable in names:
                 messages[Itself[facts.Base](part.value)] = row

@@ -18,8 +18,8 @@ from archlint.python_code.field_operations import asked_for_their_class, deeds_o
 from archlint.python_code.tried_code import tried_for
 from archlint.python_code.unassigned_attributes import called_in
 from archlint.syntax import facts
-from archlint.syntax.bindings import bound_by
-from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
+from archlint.syntax.bindings import names_bound
+from archlint.syntax.parts import Itself, once_for, parts_of
 
 if TYPE_CHECKING:
     from archlint.model import Callback
@@ -116,7 +116,7 @@ def _is_only_a_callback(workspace: WorkspaceIndex, file: str, function: facts.Fu
 def _rows(function: facts.Function) -> list[tuple[str, str, str, str, facts.Span]]:
     """What a function does with its parameters that no message stands, by their names, but for those that it binds
     again or asks for their class."""
-    bound = names_bound(function)
+    bound = set(names_bound(function.body))
     expecting = tried_for(function.body, {"TypeError", "AttributeError"})
     left_out = bound | asked_for_their_class(function)
     params = {param.name for param in function.params} - left_out
@@ -128,9 +128,4 @@ def _rows(function: facts.Function) -> list[tuple[str, str, str, str, facts.Span
     return rows
 
 
-def names_bound(function: facts.Function) -> set[str]:
-    """The names that the body of a function binds, those of functions and comprehensions in it included."""
-    return {name for part in everything_in(function.body) for name in bound_by(part)}
-
-
-__all__ = ["Delivered", "MessageOperation", "delivered", "message_operations", "names_bound"]
+__all__ = ["Delivered", "MessageOperation", "delivered", "message_operations"]

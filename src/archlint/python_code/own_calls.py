@@ -29,7 +29,7 @@ from archlint.python_code.offered_names import MAKES_NAMES, stars
 from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
 from archlint.syntax.bare_super import bare_super_calls
-from archlint.syntax.bindings import bound_by
+from archlint.syntax.bindings import bound_by, names_bound
 from archlint.syntax.misspelt_constructor import CONSTRUCTOR, meant_as_constructor
 from archlint.syntax.parts import Itself, everything_in, once_for
 from archlint.syntax.walk import statements_of
@@ -303,7 +303,7 @@ def _file_of(workspace: WorkspaceIndex, file: str, statement: facts.ImportFrom) 
 @once_for
 def bindings_of(code: facts.Facts) -> Counter[str]:
     """How often a file binds each name, in whichever scope."""
-    return Counter(name for part in everything_in(code.body) for name in bound_by(part))
+    return Counter(names_bound(code.body))
 
 
 @kept_for_each_file

@@ -14,7 +14,7 @@ from archlint.analysis.kept import kept_for_each_file
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
-from archlint.syntax.bindings import bound_by
+from archlint.syntax.bindings import names_bound
 from archlint.syntax.parts import Itself, everything_in, parts_of
 
 _PARSES = frozenset({"parse_args", "parse_known_args"})
@@ -51,7 +51,7 @@ def absent_arguments(code: facts.Facts) -> list[Row]:
 
 def _parsed(body: Sequence[facts.Stmt]) -> Iterator[tuple[str, frozenset[str]]]:
     """The variables of a function that hold the arguments of a parser which it makes, with the names of these."""
-    bound = Counter(name for part in everything_in(body) for name in bound_by(part))
+    bound = Counter(names_bound(body))
     parsers: dict[str, frozenset[str]] = {}
     for part in parts_of(body, facts.Assign):
         match part:

@@ -13,7 +13,7 @@ from archlint.python_code.first_values import first_values, holds
 from archlint.python_code.methods_at_work import MethodsAtWork, of_self
 from archlint.python_code.unassigned_attributes import has_self
 from archlint.syntax import facts
-from archlint.syntax.bindings import bound_by
+from archlint.syntax.bindings import names_bound
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, without_exceptions
 from archlint.syntax.flow_graph import Graph
@@ -214,9 +214,7 @@ def _known_in(function: facts.Function) -> Mapping[str, set[str]]:
         for variable in everything_in(targets, facts.Name):
             values.setdefault(variable.id, set()).update(_names_asked(_values(part)))
     for inner in parts_of(function.body, facts.Function):
-        own = {param.name for param in inner.params} | {
-            name for part in everything_in(inner.body) for name in bound_by(part)
-        }
+        own = {param.name for param in inner.params}.union(names_bound(inner.body))
         values[inner.name] = {name for name in _names_asked(inner.body) if name not in own}
     for statement in parts_of(function.body, facts.Global):
         values.update((name, {_ANYTHING}) for name in statement.names)

@@ -13,7 +13,7 @@ from archlint.python_code.plain_kinds import Kind, kind_of
 from archlint.python_code.tried_code import tried_for
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
-from archlint.syntax.bindings import bound_by
+from archlint.syntax.bindings import names_bound
 from archlint.syntax.control_flow import always_raises
 from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import Itself, everything_in, parts_of
@@ -143,7 +143,7 @@ def _bodies(code: facts.Facts) -> Iterator[Sequence[facts.Stmt]]:
 
 def _kept_in(body: Sequence[facts.Stmt]) -> dict[str, facts.Call]:
     """The variables of a function that get the result of one call and nothing else, and are not asked for None."""
-    bound = [name for part in everything_in(body) for name in bound_by(part)]
+    bound = list(names_bound(body))
     asked = {
         name.id for part in everything_in(body) for test in tests_in(part) for name in everything_in([test], facts.Name)
     }
@@ -233,7 +233,7 @@ def _changes_a_list(call: facts.Call, lists: frozenset[str]) -> bool:
 
 def _lists_in(body: Sequence[facts.Stmt]) -> frozenset[str]:
     """The variables of a function that hold lists for certain."""
-    bound = [name for part in everything_in(body) for name in bound_by(part)]
+    bound = list(names_bound(body))
     lists: list[str] = []
     for statement in parts_of(body, facts.Assign):
         match statement:

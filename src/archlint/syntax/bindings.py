@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in
+from archlint.syntax.parts import Source, everything_in
 
 _BINDING = (facts.Statement, facts.Param, facts.Handler, facts.Pattern, facts.WithItem, facts.Generator, facts.Assigned)
 
@@ -39,4 +39,9 @@ def bound_by(part: facts.Base) -> Sequence[str]:
     return []
 
 
-__all__ = ["bound_by"]
+def names_bound(code: Source) -> Iterator[str]:
+    """The names that some code binds, in whichever scope inside it; each as often as it is bound."""
+    return (name for part in everything_in(code) for name in bound_by(part))
+
+
+__all__ = ["bound_by", "names_bound"]
