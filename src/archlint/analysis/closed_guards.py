@@ -4,7 +4,6 @@ commented out, or the ``else`` of ``if USE_LIDAR:`` below ``USE_LIDAR = True``."
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from archlint.analysis.opened_guards import asked_before
@@ -13,6 +12,7 @@ from archlint.analysis.source_code import code_of
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.control_flow import graph_of
+from archlint.syntax.flow_facts import outcome
 from archlint.syntax.parts import everything_in, once_for
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ def _is_decided_against(workspace: WorkspaceIndex, place: Place) -> bool:
         return False
     graph = graph_of(code_of(workspace).body_at(place))
     for edge in graph.outcomes(graph.evaluating(place.span)):
-        if edge.test is not None and _outcome(edge.test, constants) is (not edge.holds):
+        if edge.test is not None and outcome(edge.test, lambda part: constants.get(part.variable)) is (not edge.holds):
             names = {name.id for name in everything_in([edge.test], facts.Name)} & constants.keys()
             return not any(_is_reached_into(workspace, place.file, name) for name in names)
     return False
@@ -67,23 +67,6 @@ def _constants(file_facts: facts.Facts) -> dict[str, bool]:
                 if bound[name] == 1:
                     rows[name] = value
     return rows
-
-
-def _outcome(test: facts.Expr, constants: Mapping[str, bool]) -> bool | None:
-    """What a test comes to by some constants; None where they do not decide it."""
-    match test:
-        case facts.Name(id=name):
-            return constants.get(name)
-        case facts.Unary(op="not", operand=operand):
-            outcome = _outcome(operand, constants)
-            return None if outcome is None else not outcome
-        case facts.Boolean(op=op, values=values):
-            outcomes = [_outcome(value, constants) for value in values]
-            decides = op == "or"
-            if decides in outcomes:
-                return decides
-            return None if None in outcomes else not decides
-    return None
 
 
 def _is_reached_into(workspace: WorkspaceIndex, file: str, name: str) -> bool:

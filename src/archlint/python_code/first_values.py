@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Mapping
+from functools import partial
 
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.methods_at_work import INIT, MethodsAtWork, of_self
 from archlint.syntax import facts
+from archlint.syntax.flow_facts import outcome
 from archlint.syntax.parts import everything_in, once_for, parts_of
 
 _UNKNOWN = object()
@@ -65,16 +67,12 @@ def _constant(value: facts.Expr) -> object:
 
 def holds(test: facts.Expr, values: Mapping[str, object]) -> bool | None:
     """How a condition comes out with some attributes of ``self``; None where they do not decide it."""
+    return outcome(test, partial(_holds, values=values))
+
+
+def _holds(test: facts.Expr, values: Mapping[str, object]) -> bool | None:
+    """:func:`holds` of what neither ``not`` nor ``and`` nor ``or`` joins."""
     match test:
-        case facts.Unary(op="not", operand=operand):
-            inner = holds(operand, values)
-            return None if inner is None else not inner
-        case facts.Boolean(op=op, values=parts):
-            outcomes = [holds(part, values) for part in parts]
-            decides = op == "or"
-            if decides in outcomes:
-                return decides
-            return None if None in outcomes else not decides
         case facts.Compare(left=left, ops=[sign], comparators=[right]):
             return _compared(_value(left, values), sign, _value(right, values))
     value = _value(test, values)

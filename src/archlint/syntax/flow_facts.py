@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from archlint.syntax import facts
 
@@ -17,6 +17,22 @@ def sufficient(test: facts.Expr, holds: bool) -> Iterator[tuple[facts.Expr, bool
                 yield from sufficient(value, holds)
         case _:
             yield test, holds
+
+
+def outcome(test: facts.Expr, of_rest: Callable[[facts.Expr], bool | None]) -> bool | None:
+    """How a condition comes out; ``of_rest`` tells it of what ``not``, ``and`` and ``or`` join. None where that does
+    not decide it."""
+    match test:
+        case facts.Unary(op="not", operand=operand):
+            inner = outcome(operand, of_rest)
+            return None if inner is None else not inner
+        case facts.Boolean(op=op, values=values):
+            outcomes = [outcome(value, of_rest) for value in values]
+            decides = op == "or"
+            if decides in outcomes:
+                return decides
+            return None if None in outcomes else not decides
+    return of_rest(test)
 
 
 def covers(fact: facts.Base, span: facts.Span) -> bool:
@@ -61,4 +77,4 @@ def is_within(statement: facts.Stmt, first: tuple[int, int], last: tuple[int, in
     return first <= begins and ends <= last
 
 
-__all__ = ["covers", "ends_of", "is_unreachable", "is_within", "lines_of", "sufficient"]
+__all__ = ["covers", "ends_of", "is_unreachable", "is_within", "lines_of", "outcome", "sufficient"]
