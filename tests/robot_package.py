@@ -75,6 +75,14 @@ def two(inner: str) -> str:
 
 
 CMAKE = manifest(build_type="ament_cmake")
+TALKER_OF_CPP = """\
+project(robot)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp REQUIRED)
+add_executable(talker src/talker.cpp)
+ament_target_dependencies(talker rclcpp)
+ament_package()
+"""
 SCRIPTS = "install(PROGRAMS scripts/drive.py DESTINATION lib/robot)\n"
 CMAKE_TESTS = """if(BUILD_TESTING)
   foreach(path test/test_a.py)

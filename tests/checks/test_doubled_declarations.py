@@ -4,16 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from robot_package import CMAKE
+from robot_package import CMAKE, TALKER_OF_CPP
 
-BUILD = """\
-project(robot)
-find_package(ament_cmake REQUIRED)
-find_package(rclcpp REQUIRED)
-add_executable(talker src/talker.cpp)
-ament_target_dependencies(talker rclcpp)
-ament_package()
-"""
 SOURCE = """\
 #include <rclcpp/rclcpp.hpp>
 
@@ -36,7 +28,7 @@ SIZE = 'node->declare_parameter(prefix + ".size", 1);'
 def told(findings):
     def run(*lines: str, node: str = "rclcpp::Node::SharedPtr"):
         source = SOURCE.format(node=node, lines="\n".join(lines))
-        return findings("PRM008", **{"package.xml": CMAKE, "CMakeLists.txt": BUILD, "src/talker.cpp": source})
+        return findings("PRM008", **{"package.xml": CMAKE, "CMakeLists.txt": TALKER_OF_CPP, "src/talker.cpp": source})
 
     return run
 

@@ -4,16 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from robot_package import CMAKE
+from robot_package import CMAKE, TALKER_OF_CPP
 
-BUILD = """\
-project(robot)
-find_package(ament_cmake REQUIRED)
-find_package(rclcpp REQUIRED)
-add_executable(talker src/talker.cpp)
-ament_target_dependencies(talker rclcpp)
-ament_package()
-"""
 SOURCE = """\
 #include <rclcpp/rclcpp.hpp>
 
@@ -45,7 +37,7 @@ def told(findings):
     """What a rule finds in a node of C++, by the lines of its constructor and of a function."""
 
     def run(code: str, line: str = "", function: str = "", readme: str = ""):
-        files = {"package.xml": CMAKE, "CMakeLists.txt": BUILD, "README.md": readme}
+        files = {"package.xml": CMAKE, "CMakeLists.txt": TALKER_OF_CPP, "README.md": readme}
         return findings(code, **files, **{"src/talker.cpp": SOURCE.format(line=line, function=function)})
 
     return run

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.given_nodes import given_nodes
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, once_for, parts_of
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 
 _DECLARES = "declare_parameter"
 _ASKS = frozenset({"has_parameter", "undeclare_parameter"})
-_NODES = frozenset({"rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"})
 
 
 @dataclass(frozen=True)
@@ -48,9 +48,8 @@ def _doubled_in(code: facts.Facts) -> list[list[tuple[facts.Span, facts.Span, st
 def _of_function(function: facts.Function) -> list[tuple[facts.Span, facts.Span, str]]:
     if any(part.attr in _ASKS for part in everything_in(function.body, facts.Attribute)):
         return []
-    params = {param.name: param for param in function.params}
-    nodes = {name for name, param in params.items() if _is_node(param.annotation)}
-    lasting = params.keys() - _changed(function) if nodes else set[str]()
+    nodes = given_nodes(function)
+    lasting = {param.name for param in function.params} - _changed(function) if nodes else set[str]()
     first: dict[tuple[str, str, str], facts.Span] = {}
     rows: list[tuple[facts.Span, facts.Span, str]] = []
     for statement in function.body:
@@ -75,10 +74,6 @@ def _of_function(function: facts.Function) -> list[tuple[facts.Span, facts.Span,
                     if before is not call.span:
                         rows.append((call.span, before, f"{prefix} + '{ending}'"))
     return rows
-
-
-def _is_node(annotation: facts.Expr | None) -> bool:
-    return isinstance(annotation, facts.Name) and annotation.id in _NODES
 
 
 def _changed(function: facts.Function) -> set[str]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.analysis.given_nodes import given_nodes
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
@@ -113,16 +114,11 @@ def _asked_in(code: facts.Facts) -> _Asked:
 
 def _on_parameters(code: facts.Facts) -> Iterator[facts.Span]:
     for function in everything_in(code.body, facts.Function):
-        nodes = {param.name for param in function.params if _is_node(param.annotation)}
+        nodes = given_nodes(function)
         for call in parts_of(function.body, facts.Call) if nodes else ():
             match call.func:
                 case facts.Attribute(value=facts.Name(id=name), attr="declare_parameter") if name in nodes:
                     yield call.span
-
-
-def _is_node(annotation: facts.Expr | None) -> bool:
-    """Whether a type is a node's, a reference or a pointer to one."""
-    return isinstance(annotation, facts.Name) and annotation.id in ("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode")
 
 
 def _is_whole(value: facts.Expr) -> bool:
