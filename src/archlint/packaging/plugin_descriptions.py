@@ -16,6 +16,7 @@ from archlint.analysis.aside import is_aside
 from archlint.analysis.cpp_nodes import CPP_SOURCES, without_cpp_comments
 from archlint.place import Place
 from archlint.suggestions import nearest
+from archlint.workspace.comments import replace_xml_comments
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
 _REGISTERED = re.compile(r"\b(?:PLUGINLIB_EXPORT_CLASS|CLASS_LOADER_REGISTER_CLASS)\s*\(([^()]+),([^(),]+)\)")
 _MACRO = "_CLASS"
 _CLASS = re.compile(r"<class\s([^>]*)>", re.DOTALL)
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _ATTRIBUTE = re.compile(r"\b(type|base_class_type)\s*=\s*(\"[^\"]*\"|'[^']*')")
 _OF_PLUGINS = "base_class_type"
 
@@ -80,7 +80,7 @@ def _described(workspace: WorkspaceIndex, installs: Installs) -> Iterator[_Class
         text = workspace.tree.text(file) or ""
         if _OF_PLUGINS not in text:
             continue
-        for element in _CLASS.finditer(_COMMENT.sub(lambda comment: " " * len(comment[0]), text)):
+        for element in _CLASS.finditer(replace_xml_comments(text, lambda comment: " " * len(comment))):
             rows = {row[1]: row for row in _ATTRIBUTE.finditer(element[1])}
             if rows.keys() >= {"type", "base_class_type"}:
                 own = rows["type"]

@@ -17,6 +17,7 @@ from archlint.packaging.imports import imports_at_start
 from archlint.packaging.manifests import package_around
 from archlint.ros import packages, python_modules, rosdep
 from archlint.workspace.closure import closure
+from archlint.workspace.comments import xml_comments
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
@@ -199,11 +200,9 @@ def _declared(
 
 def _taken_out(manifest: str) -> list[str]:
     """The dependencies that stand in comments of a manifest: somebody wants them there no longer, and knows of them."""
-    comments = _COMMENT.findall(manifest)
-    return [name for comment in comments for name in _DEPENDENCY.findall(comment)]
+    return [name for comment in xml_comments(manifest) for name in _DEPENDENCY.findall(comment)]
 
 
-_COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
 _DEPENDENCY = re.compile(r"<(?:\w+_)?depend\b[^>]*>\s*([\w.-]+)\s*</")
 
 

@@ -12,6 +12,7 @@ from archlint.analysis.aside import is_aside
 from archlint.packaging.generated_files import is_ignored
 from archlint.place import Place
 from archlint.suggestions import nearest
+from archlint.workspace.comments import replace_xml_comments
 from archlint.workspace.refused_manifests import Refusal, refusals
 
 if TYPE_CHECKING:
@@ -52,10 +53,10 @@ def untyped_manifests(workspace: WorkspaceIndex) -> Iterator[Untyped]:
         build_type = _built_with(workspace, package)
         says_nothing = package.build_type == "catkin" and "<build_type" not in text and "catkin" not in text
         if says_nothing and build_type and not refusals(text):
-            yield Untyped(package, build_type, _EXPORT.search(_COMMENT.sub("", text)) is not None)
+            said = replace_xml_comments(text, lambda comment: "")
+            yield Untyped(package, build_type, _EXPORT.search(said) is not None)
 
 
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _EXPORT = re.compile(r"<export\s*/?>")
 _AMENT = re.compile(r"^\s*ament_(?:auto_)?package\s*\(", re.MULTILINE)
 
@@ -95,7 +96,7 @@ def mistyped_manifests(workspace: WorkspaceIndex) -> Iterator[Mistyped]:
     """
     for package in _judged(workspace):
         text = workspace.tree.text(package.manifest.relative) or ""
-        types = [*_TYPE.finditer(_COMMENT.sub(lambda comment: " " * len(comment[0]), text))]
+        types = [*_TYPE.finditer(replace_xml_comments(text, lambda comment: " " * len(comment)))]
         right = _built_with(workspace, package)
         if len(types) != 1 or not right or right == types[0][1] or refusals(text):
             continue

@@ -17,9 +17,19 @@ def without_comments(text: str) -> str:
 
 def replace_xml_comments(text: str, put: Callable[[str], str]) -> str:
     """A text in which ``put`` says what stands in the place of each comment of XML."""
-    # Behind the last end there is no comment, and each start there would be held against all that follows.
-    end = text.rfind("-->") + len("-->")
-    return text if end < len("-->") else _OF_XML.sub(lambda match: put(match[0]), text[:end]) + text[end:]
+    end = _end_of_last(text)
+    return _OF_XML.sub(lambda match: put(match[0]), text[:end]) + text[end:]
 
 
-__all__ = ["replace_xml_comments", "without_comments"]
+def xml_comments(text: str) -> list[str]:
+    """What stands in the comments of a text of XML, without the marks around each."""
+    return [comment[len("<!--") : -len("-->")] for comment in _OF_XML.findall(text[: _end_of_last(text)])]
+
+
+def _end_of_last(text: str) -> int:
+    """Behind the last end there is no comment, and each start there would be held against all that follows."""
+    last = text.rfind("-->")
+    return 0 if last < 0 else last + len("-->")
+
+
+__all__ = ["replace_xml_comments", "without_comments", "xml_comments"]
