@@ -13,13 +13,15 @@ from archlint.checks.folding import all_sites, folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.launch_files.plugin_parameters import Mistyped, mistyped_values
 from archlint.launch_files.set_parameters import called, set_nodes
+from archlint.launch_files.unloaded_parameter_files import has_no_reader, loaded_files
 from archlint.ros.parameter_types import ParameterType, type_of
 from archlint.workspace.kinds import is_cpp
 
 if TYPE_CHECKING:
     from archlint.model import ParameterDeclaration
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Node
     from archlint.systems.overrides import Setting
 
@@ -27,6 +29,9 @@ if TYPE_CHECKING:
 @rule("PRM002", scope=Scope.SYSTEM)
 def parameter_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Values from outside whose type is not the declared one."""
+    workspace = system.workspace
+    if system.launched is None and workspace is not None:
+        yield from (_of_a_plugin(workspace, row) for row in mistyped_values(workspace))
     for node, settings in set_nodes(system):
         if may_be_dynamic(system.workspace, node.parameters):
             continue
@@ -52,6 +57,22 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
                 yield _of_another_type(node, setting, rows[0], given)
             else:
                 yield _not_filled_in(node, setting, template)
+
+
+def _of_a_plugin(workspace: WorkspaceIndex, row: Mistyped) -> Finding:
+    """What a plugin or node from elsewhere refuses: less certain to happen where nothing here loads the file."""
+    file = row.place.file
+    told = finding(
+        "PRM002",
+        row.place,
+        f"{row.owner} declares '{row.name}' as {row.wanted}, and this sets {_shown(row.value)}, of type {row.given}",
+        help=_help(row.value, row.wanted, "rclcpp"),
+        identity=(row.owner, row.name),
+        group=(file, row.wanted, row.given),
+    )
+    if file in loaded_files(workspace):
+        return told
+    return replace(told, severity=Severity.INFO if has_no_reader(workspace, file) else Severity.WARNING)
 
 
 _NOT_FALSE = "set a bool: a text is true, whatever it says"
@@ -142,10 +163,12 @@ def _shown(value: object) -> str:
 
 
 def _write(value: object, declared: ParameterDeclaration) -> str:
-    wanted = declared.type
-    library = "rclcpp" if is_cpp(declared.place.file) else "rclpy"
     if _is_of_nothing(declared) and (given := type_of(value)) is not None:
         return f"declare it with rclpy.Parameter.Type.{given.upper()} instead of a value"
+    return _help(value, declared.type, "rclcpp" if is_cpp(declared.place.file) else "rclpy")
+
+
+def _help(value: object, wanted: ParameterType | None, library: str) -> str:
     if wanted == "double" and isinstance(value, int):
         return f"write {float(value)}: {library} does not convert an integer to a double"
     if wanted == "double_array" and isinstance(value, list):

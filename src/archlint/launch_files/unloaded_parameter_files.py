@@ -77,23 +77,31 @@ def _is_meant(wrong: Misplaced) -> bool:
 
 @once
 def _unloaded(workspace: WorkspaceIndex) -> list[tuple[str, ParameterFacts]]:
-    loaded = _loaded(workspace)
+    loaded = loaded_files(workspace)
+    files = [(file, facts) for file, facts in parameter_files(workspace) if file not in loaded]
+    return [(file, facts) for file, facts in files if not _is_named_in_code(workspace, file)]
+
+
+@once
+def parameter_files(workspace: WorkspaceIndex) -> list[tuple[str, ParameterFacts]]:
+    """The parameter files of the packages, loaded or not, that are in use and that nothing is to be filled in."""
     files: list[tuple[str, ParameterFacts]] = []
     for folder in sorted(workspace.manifests):
         package = workspace.manifests[folder]
         if package.ros1 or package.manifest.context:
             continue
         for file in workspace.tree.files_below(folder):
-            if not file.endswith((".yaml", ".yml")) or file in loaded or is_aside(workspace, file):
+            if not file.endswith((".yaml", ".yml")) or is_aside(workspace, file):
                 continue
             text = workspace.tree.text(file) or ""
             of_parameters = ROOT in text or _MISSPELT.search(text) is not None
-            if of_parameters and not is_template(text) and not _is_named_in_code(workspace, file):
+            if of_parameters and not is_template(text):
                 files.append((file, workspace.parameters_of(file)))
     return files
 
 
-def _loaded(workspace: WorkspaceIndex) -> set[str | None]:
+@once
+def loaded_files(workspace: WorkspaceIndex) -> set[str | None]:
     """The files that launch files name for whatever use: what they make of them is their own."""
     named = {reference.source for launched in workspace.launched for reference in launched.references}
     given = (
@@ -111,4 +119,11 @@ def _is_named_in_code(workspace: WorkspaceIndex, file: str) -> bool:
     return any(workspace.code.mentions(path, name) for path in workspace.code.files_that_mention("yaml"))
 
 
-__all__ = ["has_no_reader", "is_template", "misplaced_in_unloaded", "twice_in_unloaded"]
+__all__ = [
+    "has_no_reader",
+    "is_template",
+    "loaded_files",
+    "misplaced_in_unloaded",
+    "parameter_files",
+    "twice_in_unloaded",
+]
