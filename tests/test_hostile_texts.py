@@ -8,6 +8,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.ros.names import HOLE, pattern_matches
+from archlint.syntax.descriptions import malformed_description
 from archlint.syntax.entry_point_tables import entries_of_setup_cfg, parse_entry
 from archlint.syntax.imported_names import imported
 from archlint.syntax.interface_values import parse_value
@@ -40,6 +41,17 @@ def test_comments_of_cmake_that_nothing_closes():
 
 def test_a_comment_of_xml_that_nothing_closes():
     assert without_comments("a <!-- b -->" + "<!-- " * MANY + "c # d") == "a " + "<!-- " * MANY + "c "
+
+
+@pytest.mark.parametrize("start", ["<!--", "<?"], ids=["comments", "unknown tags"])
+def test_a_description_with_starts_that_nothing_closes(start):
+    problem = malformed_description("arm.urdf", "<robot>\n<link/>\n" + start * MANY)
+    assert problem is not None
+    assert problem.line == 3
+
+
+def test_a_description_with_unknown_tags_before_those_that_nothing_closes():
+    assert malformed_description("arm.sdf", "<sdf><?ignore ?>\n<?><a/></sdf>") is None
 
 
 def test_suppressions_that_nothing_closes():

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
+from archlint.analysis.kept import kept
 from archlint.checks.folding import all_sites, with_others
 from archlint.checks.registry import registered
 from archlint.finding import Finding, Place, Related, Severity
@@ -76,6 +77,10 @@ def _is_dead_end(workspace: WorkspaceIndex, file: str) -> bool:
 def _is_stillborn(workspace: WorkspaceIndex, file: str, depth: int = _DEPTH) -> bool:
     """Whether a file is no program and in use by none, and imports a module that is nowhere as it starts, or is
     imported by such files alone."""
+    return kept(workspace, (_is_stillborn, file, depth), lambda: _work_out_stillborn(workspace, file, depth))
+
+
+def _work_out_stillborn(workspace: WorkspaceIndex, file: str, depth: int) -> bool:
     code = workspace.facts_at(file)
     if code is None or depth == 0 or file in workspace.code.in_use or _may_be_started(workspace, file, code):
         return False

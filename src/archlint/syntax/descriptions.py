@@ -11,6 +11,7 @@ import re
 from xml.parsers import expat
 
 from archlint.syntax.facts import FileProblem
+from archlint.workspace.comments import replace_xml_comments
 
 _XACRO = ".xacro"
 _WORLD = ".world"
@@ -22,7 +23,6 @@ _OF_PLUGINS = "base_class_type="
 _ELEMENT = re.compile(r"^[ \t\ufeff]*<", re.MULTILINE)
 _LARGEST = 500_000
 """Characters of what people write by hand."""
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _UNKNOWN_TAG = re.compile(r"<\?(?!xml\s)[^>]*>")
 """What TinyXML has no meaning for, and skips up to the bracket; how XML wants such tags, it does not ask."""
 _NO_ENTITY = re.compile(r"&(?!(?:lt|gt|amp|quot|apos|#\d+|#x[\da-fA-F]+);)")
@@ -65,10 +65,13 @@ def malformed_description(name: str, text: str) -> FileProblem | None:
 
 def _as_tinyxml(name: str, text: str) -> str:
     """A text without what TinyXML passes over, with the same lines."""
-    read = _COMMENT.sub(_blank, text)
-    return _NO_ENTITY.sub(" ", _UNKNOWN_TAG.sub(_blank, read) if name.endswith(ENDINGS) else read)
+    read = replace_xml_comments(text, _blank)
+    if name.endswith(ENDINGS):
+        end = read.rfind(">") + 1  # behind it no tag ends, and each start there would be held against all that follows
+        read = _UNKNOWN_TAG.sub(lambda tag: _blank(tag[0]), read[:end]) + read[end:]
+    return _NO_ENTITY.sub(" ", read)
 
 
-def _blank(passed_over: re.Match[str]) -> str:
+def _blank(passed_over: str) -> str:
     """As many lines as what is passed over has."""
-    return "\n" * passed_over[0].count("\n")
+    return "\n" * passed_over.count("\n")
