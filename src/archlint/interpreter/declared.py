@@ -50,16 +50,22 @@ def note_definition(index: ModuleIndex, store: Store, scope: Scope, name: str, v
     counts."""
     before = store.get(scope.key, name)
     if isinstance(before, Declared) and not isinstance(value, Declared) and before.name == name:
-        index.definitions.setdefault((before.owner, before.name), {})[scope.module.file.path] = value
+        index.definitions.setdefault((before.owner, before.name), {})[scope.module.file.path] = scope
 
 
-def definition_of(index: ModuleIndex, declared: Declared) -> Value:
-    """What a declaration stands for."""
+def defining_scope(index: ModuleIndex, declared: Declared) -> Scope | None:
+    """The file that defines what a declaration stands for; None where that is not one file here."""
     rows = index.definitions.get((declared.owner, declared.name), {})
-    values = [value for value in rows.values() if isinstance(value, Value)]
-    if len(values) == 1:
-        return values[0]
-    where = "in several files" if values else "elsewhere"
+    return next(iter(rows.values())) if len(rows) == 1 else None
+
+
+def definition_of(index: ModuleIndex, store: Store, declared: Declared) -> Value:
+    """What a declaration stands for."""
+    scope = defining_scope(index, declared)
+    value = None if scope is None else store.get(scope.key, declared.name)
+    if value is not None and not isinstance(value, Declared):
+        return value
+    where = "in several files" if index.definitions.get((declared.owner, declared.name)) else "elsewhere"
     return Unknown(f"'{declared.name}' is declared here and defined {where}", name=declared.name)
 
 
@@ -88,4 +94,4 @@ def defaults_of(index: ModuleIndex, store: Store, scope: Scope, function: facts.
     return list(zip(names[len(names) - len(values) :], values, strict=True))
 
 
-__all__ = ["Defaults", "declare", "defaults_of", "definition_of", "nested_class", "note_definition"]
+__all__ = ["Defaults", "declare", "defaults_of", "defining_scope", "definition_of", "nested_class", "note_definition"]

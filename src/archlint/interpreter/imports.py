@@ -66,6 +66,9 @@ def _import_star(machine: Machine, module: Module | None, dotted: str, span: fac
     machine.import_module(module)
     if module.scope is None:
         return
+    if module.file.kind == "cpp":
+        machine.activation.module.includes.append(module)
+        module.includers.append(machine.activation.module)
     exports = module.facts.exports
     for name, value in machine.store.variables(module.scope.key):
         if isinstance(value, Declared) and machine.store.get(machine.activation.scope.key, name) is not None:

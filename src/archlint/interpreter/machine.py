@@ -19,12 +19,13 @@ from archlint.finding import Place
 from archlint.interpreter.activation import Activation, Repeated
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
 from archlint.interpreter.caught import Raised
-from archlint.interpreter.declared import definition_of, nested_class, note_definition
+from archlint.interpreter.declared import definition_of, nested_class
 from archlint.interpreter.heap import Layer, Store
 from archlint.interpreter.implementations import sources_to_run
 from archlint.interpreter.library import Library
 from archlint.interpreter.limits import COMPREHENDED, IMPORTS, NESTED_CALLS, PROGRAM_STEPS, RUNS, STEPS, WORK_OF_A_STEP
 from archlint.interpreter.modules import Module, ModuleIndex, Scope, ScopeKind
+from archlint.interpreter.shared_variables import bind
 from archlint.interpreter.values import Declared, External, Instance, Known, ModuleValue, Unknown, Value, reason
 from archlint.reasons import Uninformative
 from archlint.syntax import facts
@@ -179,7 +180,7 @@ class Machine(ABC):
             if (first or scope.kind != "class") and (scope.bound is None or name in scope.bound):
                 value = self.store.get(scope.key, name)
                 if value is not None:
-                    return definition_of(self.index, value) if value.__class__ is Declared else value
+                    return definition_of(self.index, self.store, value) if value.__class__ is Declared else value
                 if scope.bound is not None and name not in scope.outer and scope.kind == "function":
                     return Unknown(f"'{name}' is not assigned on this path")
             elif (nested := nested_class(self.store, scope, name)) is not None:
@@ -205,8 +206,7 @@ class Machine(ABC):
         if scope.kind != "module":
             self.store.set(scope.key, name, value)
             return
-        note_definition(self.index, self.store, scope, name, value)
-        self.store.set(scope.key, name, value)
+        bind(self.index, self.store, scope, name, value, in_function=self.activation.scope is not scope)
         self.library.module_variable(scope.module, name, value)
 
     def assign_around(self, name: str, value: Value) -> None:
@@ -274,7 +274,7 @@ class Machine(ABC):
         if module.scope is None:
             return Unknown("more imports inside each other than Python follows")
         if (value := self.store.get(module.scope.key, name)) is not None:
-            return definition_of(self.index, value) if isinstance(value, Declared) else value
+            return definition_of(self.index, self.store, value) if isinstance(value, Declared) else value
         if module.is_package:
             below = self.index.find(module, name, level=1)
             if below is not None and below is not module:

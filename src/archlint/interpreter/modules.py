@@ -56,6 +56,10 @@ class Module:
     state: ModuleState = "new"
     star_externals: list[str] = field(default_factory=list)
     """Foreign packages that this module star-imports from."""
+    includes: list[Module] = field(default_factory=list)
+    """Of a file of C++, what it includes, in this order."""
+    includers: list[Module] = field(default_factory=list)
+    """The files that have included it so far."""
     reads: Reads = field(default_factory=Reads)
     """What its import has read."""
     places: dict[Span, Place] = field(default_factory=dict)
@@ -112,8 +116,8 @@ class ModuleIndex:
         self.import_all_earlier: Callable[[], None] | None = None
         """Imports all of these."""
         self.overloads: dict[tuple[int, str], list[object]] = {}  # see overloads.py
-        self.definitions: dict[tuple[int, str], dict[str, object]] = {}
-        """What defines a name that a file of C++ declares (declared.py), by the path of the file that does."""
+        self.definitions: dict[tuple[int, str], dict[str, Scope]] = {}
+        """The files that define a name which a file of C++ declares (declared.py), by their paths."""
         self.defaults: dict[tuple[int, str], list[object]] = {}
         """The default arguments of functions of C++ that stand in a declaration, by the key of class or file."""
         self.running = 0

@@ -54,7 +54,12 @@ def with_arguments_written(machine: Machine, ir: Function, site: CallSite, follo
             continue
         target, given = written_down[number - before], site.args[number]
         value = Unknown("the function that it is given to changes it") if written is None else written.get(name, given)
-        if value is not given and isinstance(target, (facts.Name, facts.Implicit, facts.Attribute)):
+        if value is given:
+            continue
+        bound = machine.activation.scope.bound
+        if isinstance(target, facts.Name) and bound is not None and target.id not in bound:
+            machine.assign_around(target.id, value)  # a variable of the file: no statement here assigns to it
+        elif isinstance(target, (facts.Name, facts.Implicit, facts.Attribute)):
             assign(machine, target, value)
     return result
 
