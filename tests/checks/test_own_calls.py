@@ -306,3 +306,93 @@ def test_a_constant_that_another_file_sets(judge: Judge) -> None:
         "API001", SWITCHED.format(value="True", more=""), "import rclpy\nimport node\nnode.FAST = False\n"
     )
     assert finding.severity is Severity.ERROR
+
+
+OBJECTS = """
+import rclpy
+from rclpy.node import Node
+
+
+class Wheel:
+    def __init__(self, radius):
+        self.radius = radius
+
+    def turn(self, angle, fast=False):
+        pass
+
+    def brake(self):
+        pass
+
+
+class Motor(Node):
+    def __init__(self):
+        super().__init__('motor')
+        self.wheel = Wheel(0.1)
+        self.timer = self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        wheel = Wheel(0.2)
+        {in_method}
+
+    def other(self, wheel):
+        front = Wheel(0.3)
+        front = wheel
+        front.turn()
+        wheel.turn()
+        self.wheel.brake = print
+        self.wheel.brake(1)
+
+    def destroy_node(self, message):
+        self.get_logger().info(message)
+        super().destroy_node()
+
+
+def main():
+    rclpy.init()
+    node = Motor()
+    rclpy.spin(node)
+    {in_main}
+
+
+main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("in_method", "in_main", "what", "help"),
+    [
+        ("self.wheel.turn()  # here", "pass", "turn() fails: 'angle' is missing", "self.wheel.turn(angle)"),
+        ("wheel.turn()  # here", "pass", "turn() fails: 'angle' is missing", "wheel.turn(angle)"),
+        (
+            "wheel.turn(1.0, False, 2)  # here",
+            "pass",
+            "turn() fails: it takes at most 2 arguments by position",
+            "wheel.turn(angle, fast)",
+        ),
+        (
+            "pass",
+            "node.destroy_node()  # here",
+            "destroy_node() fails: 'message' is missing",
+            "node.destroy_node(message)",
+        ),
+    ],
+)
+def test_arguments_that_a_method_of_an_object_does_not_take(
+    judge: Judge, in_method: str, in_main: str, what: str, help: str
+) -> None:
+    (finding,) = judge("API001", OBJECTS.format(in_method=in_method, in_main=in_main))
+    assert (finding.message, finding.help) == (what, f"give what it takes: {help}")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "wheel.turn(1.0, fast=True)",
+        "self.wheel.brake(1)",
+        "wheel.turn(*[])",
+        "wheel = self.get_parameter('wheel').value\n        wheel.turn()",
+        "try:\n            wheel.turn()\n        except TypeError:\n            pass",
+    ],
+)
+def test_arguments_that_fit_a_method_of_an_object_or_of_one_that_is_not_known(judge: Judge, line: str) -> None:
+    judge("API001", OBJECTS.format(in_method=line, in_main="node.destroy_node('end')"))

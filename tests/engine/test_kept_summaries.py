@@ -16,7 +16,7 @@ from archlint.config.settings import load
 from archlint.engine import summaries_ahead
 from archlint.engine.pipeline import Request, check
 from archlint.packaging import missing_imports
-from archlint.python_code import absent_members, logger_calls, own_calls, time_operators, undefined_names
+from archlint.python_code import absent_members, logger_calls, made_objects, own_calls, time_operators, undefined_names
 from archlint.syntax import facts, workers
 from archlint.syntax.cache import Store
 from archlint.syntax.python.lowering import lower
@@ -158,12 +158,12 @@ def test_a_summary_of_another_form_is_made_anew():
 @pytest.mark.parametrize(
     "analysis",
     [
-        absent_members._calls,
         absent_members._of_interfaces,
         fixed_names._variables_in_front,
         left_over._uses,
         logger_calls._given_to_node,
         logger_calls._refused,
+        made_objects.calls_of_objects,
         missing_imports._imports,
         own_calls.assigned_attributes,
         time_operators._refused,

@@ -12,6 +12,7 @@ from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.model import Misuse
 from archlint.python_code.compared_methods import ComparedMethod, compared_methods
+from archlint.python_code.object_calls import refused_object_calls
 from archlint.python_code.own_calls import RefusedOwnCall, calls_of_bare_super, refused_own_calls
 from archlint.python_code.own_results import WrongLength, wrong_lengths
 from archlint.python_code.uncalled_names import uncalled_names
@@ -29,7 +30,7 @@ NOT_CALLED = "not called"
 def own_call_findings(system: System) -> Iterator[Finding]:
     """The findings about such calls."""
     if system.workspace is not None:
-        for call in refused_own_calls(system.workspace):
+        for call in (*refused_own_calls(system.workspace), *refused_object_calls(system.workspace)):
             yield from unless_uncalled(system, _finding(call))
         for row in wrong_lengths(system.workspace):
             yield from unless_uncalled(system, _wrong_length(row))

@@ -1,8 +1,4 @@
-"""Methods that objects of the workspace's own classes do not have, and classes that a service or an action does not.
-
-The class of an object is known where one call of the class is all that its variable, or its attribute of ``self``, is
-ever assigned.
-"""
+"""Methods that objects of the workspace's own classes do not have, and classes that a service or an action does not."""
 
 from __future__ import annotations
 
@@ -12,10 +8,9 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
-from archlint.python_code.class_chains import ClassInFile, chain_of, classes_of, files_with, methods_of, targets_of
-from archlint.python_code.offered_names import MAKES_NAMES
-from archlint.python_code.own_calls import assigned_attributes, bindings_of, class_meant_by
-from archlint.python_code.tried_code import tried_for
+from archlint.python_code.class_chains import ClassInFile, chain_of, methods_of, targets_of
+from archlint.python_code.made_objects import CallOfObject, calls_of_objects, class_of_object
+from archlint.python_code.own_calls import bindings_of
 from archlint.python_code.unassigned_attributes import may_get, members_of
 from archlint.suggestions import nearest
 from archlint.syntax import facts
@@ -53,7 +48,7 @@ def absent_members(workspace: WorkspaceIndex) -> Iterator[AbsentMember]:
             if workspace.interfaces is None or workspace.interfaces.get(row.owner) is None:
                 continue
             yield AbsentMember(Place(path, *row.span), row.owner, row.name, row.near, False, row.of_message)
-        for called in _calls(workspace, path) or ():
+        for called in calls_of_objects(workspace, path) or ():
             absent = _absent(workspace, path, called)
             if absent is not None:
                 yield absent
@@ -112,73 +107,9 @@ def _beside_variables(code: facts.Facts) -> frozenset[Itself[facts.Base]]:
 # ------------------------------------------------------------------------------------------------ the workspace's own
 
 
-@dataclass(frozen=True)
-class _Called:
-    """A method that is called on an object which one call makes."""
-
-    span: facts.Span
-    name: str
-    made_by: str
-    """The class that makes it, as it is written."""
-    attribute: str
-    """The attribute of ``self`` that holds it; empty where it is a variable."""
-
-
-@kept_for_each_file
-def _calls(code: facts.Facts) -> list[_Called]:
-    if not MAKES_NAMES.isdisjoint(code.names):
-        return []
-    variables = _made(code)
-    forgiven = tried_for(code.body, {"AttributeError"})
-    rows: list[tuple[facts.Attribute, str, str]] = []
-    for call in everything_in(code.body, facts.Call):
-        match call.func:
-            case facts.Attribute(value=facts.Name(id=name)) as part if name in variables:
-                if bindings_of(code)[name] == 1:
-                    rows.append((part, variables[name], ""))
-    for cls in classes_of(code):
-        attributes = _made_for(cls)
-        for call in everything_in(cls.body, facts.Call) if attributes else ():
-            match call.func:
-                case facts.Attribute(value=facts.Attribute(value=facts.Name(id="self"), attr=attr)) as part:
-                    if attr in attributes:
-                        rows.append((part, attributes[attr], attr))
-    return [
-        _Called(part.span, part.attr, made_by, attribute)
-        for part, made_by, attribute in rows
-        if Itself[facts.Base](part) not in forgiven
-    ]
-
-
-def _made(code: facts.Facts) -> dict[str, str]:
-    """The variables that a call of a plain name makes, and that name."""
-    return {
-        statement.targets[0].variable: statement.value.func.variable
-        for statement in everything_in(code.body, facts.Assign)
-        if len(statement.targets) == 1 and statement.targets[0].variable
-        if isinstance(statement.value, facts.Call) and statement.value.func.variable
-    }
-
-
-def _made_for(cls: facts.Class) -> dict[str, str]:
-    """The attributes of ``self`` that the methods of a class assign once, to what a call of a plain name makes."""
-    times = [target.attribute for target in targets_of(cls.body) if target.attribute]
-    makers = {}
-    for statement in everything_in(cls.body, facts.Assign):
-        match statement:
-            case facts.Assign(
-                targets=[facts.Attribute(value=facts.Name(id="self"), attr=attr)],
-                value=facts.Call(func=facts.Name(id=name)),
-            ) if times.count(attr) == 1:
-                makers[attr] = name
-    return makers
-
-
-def _absent(workspace: WorkspaceIndex, file: str, called: _Called) -> AbsentMember | None:
-    cls = class_meant_by(workspace, file, called.made_by)
-    if cls is None or (called.attribute and _is_given_elsewhere(workspace, file, called.attribute)):
-        return None
-    return absent_of(workspace, cls, called.name, Place(file, *called.span))
+def _absent(workspace: WorkspaceIndex, file: str, called: CallOfObject) -> AbsentMember | None:
+    cls = None if "AttributeError" in called.forgiven else class_of_object(workspace, file, called)
+    return None if cls is None else absent_of(workspace, cls, called.name, Place(file, *called.span))
 
 
 def absent_of(
@@ -196,17 +127,6 @@ def absent_of(
     offered = tuple(method for method in methods if not method.startswith("_"))
     near = nearest(name, own) or ""
     return AbsentMember(place, f"class {cls.code.name}", name, near, called, methods=offered)
-
-
-def _is_given_elsewhere(workspace: WorkspaceIndex, file: str, attribute: str) -> bool:
-    """Whether another class of the file, or another file, assigns an attribute of that name: it may be the same one."""
-    rows = 0
-    for path in dict.fromkeys((file, *files_with(workspace, attribute))):
-        assigned = assigned_attributes(workspace, path)
-        if assigned is None:
-            return True
-        rows += assigned.get(attribute, 0)
-    return rows != 1
 
 
 __all__ = ["AbsentMember", "absent_members", "absent_of"]

@@ -88,22 +88,35 @@ def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
         if file.kind not in ("python", "launch_python") or workspace.roles.is_test(file.relative):
             continue
         for call in own_calls_of(workspace, file.relative) or ():
-            meant = function_meant(workspace, file.relative, call)
-            wrong = None if meant is None else _misfit(meant.code.params[meant.bound :], call)
-            if meant is not None and wrong is not None:
-                place = Place(file.relative, *call.span)
-                params = meant.code.params
-                lacks_self = call.cls is not None and meant.bound == 1 and params[0].name not in ("self", "cls")
-                defined = Place(meant.file, *meant.code.name_span)
-                own = params[meant.bound :]
-                signature = tuple(_needed(own) if wrong.misuse is not Misuse.TOO_MANY else _by_position(own))
-                keywords = _left(own, call) if wrong.misuse is Misuse.UNKNOWN_KEYWORD else ()
-                in_node = _is_in_node(workspace, file.relative, call)
-                cls = class_meant_by(workspace, file.relative, call.name) if meant.code.name == CONSTRUCTOR else None
-                instead = "" if cls is None else meant_as_constructor([cls.code])
-                yield RefusedOwnCall(
-                    place, call.name, wrong, defined, signature, keywords, lacks_self, in_node, instead
-                )
+            refused = refusal_of(workspace, file.relative, call, function_meant(workspace, file.relative, call))
+            if refused is not None:
+                yield refused
+
+
+def refusal_of(
+    workspace: WorkspaceIndex, file: str, call: OwnCall, meant: FunctionInFile | None
+) -> RefusedOwnCall | None:
+    """What is to say of a call in a file, of a function that it is known to run; None where its arguments fit."""
+    wrong = None if meant is None else _misfit(meant.code.params[meant.bound :], call)
+    if meant is None or wrong is None:
+        return None
+    params = meant.code.params
+    lacks_self = call.cls is not None and meant.bound == 1 and params[0].name not in ("self", "cls")
+    own = params[meant.bound :]
+    signature = tuple(_needed(own) if wrong.misuse is not Misuse.TOO_MANY else _by_position(own))
+    keywords = _left(own, call) if wrong.misuse is Misuse.UNKNOWN_KEYWORD else ()
+    cls = class_meant_by(workspace, file, call.name) if meant.code.name == CONSTRUCTOR else None
+    return RefusedOwnCall(
+        Place(file, *call.span),
+        call.name,
+        wrong,
+        Place(meant.file, *meant.code.name_span),
+        signature,
+        keywords,
+        lacks_self,
+        _is_in_node(workspace, file, call),
+        "" if cls is None else meant_as_constructor([cls.code]),
+    )
 
 
 def _misfit(params: Sequence[facts.Param], call: OwnCall) -> Misfit | None:
@@ -387,5 +400,6 @@ __all__ = [
     "function_meant",
     "method_meant",
     "own_calls_of",
+    "refusal_of",
     "refused_own_calls",
 ]
