@@ -160,3 +160,88 @@ def test_a_method_that_must_not_be_called_there(judge: Judge, lines: str, advice
     )
     (finding,) = judge("API001", source)
     assert finding.help == advice
+
+
+TESTS = """
+import rclpy
+from rclpy.node import Node
+from std_srvs.srv import Trigger
+
+
+class Asker(Node):
+    def __init__(self):
+        super().__init__('asker')
+        self.client = self.create_client(Trigger, 'ask')
+        self.future = None
+        self.ready = False
+        self.timer = self.create_timer(1.0, self.tick)
+
+    def is_ready(self):
+        return self.ready
+
+    def may_go(self, place):
+        return place in self.places
+
+    @property
+    def places(self):
+        return ['kitchen']
+
+    def replaced(self):
+        pass
+
+    def tick(self):
+        self.future = self.client.call_async(Trigger.Request())
+        asked = self.client.call_async(Trigger.Request())
+        {line}
+            self.get_logger().info('yes')
+
+
+class Other(Asker):
+    replaced = None
+
+
+def main():
+    rclpy.init()
+    node = Asker()
+    while rclpy.ok():
+        rclpy.spin_once(node)
+
+
+main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "help"),
+    [
+        ("while rclpy.ok:  # here", "write rclpy.ok()"),
+        ("if self.is_ready:  # here", "write self.is_ready()"),
+        ("if self.ready and not self.is_ready:  # here", "write self.is_ready()"),
+        ("if self.may_go:  # here", "write self.may_go(…)"),
+        ("if self.client.service_is_ready:  # here", "write self.client.service_is_ready()"),
+        ("while not self.client.wait_for_service:  # here", "write self.client.wait_for_service()"),
+        ("if asked.done:  # here", "write asked.done()"),
+        ("if self.future.done:  # here", "write self.future.done()"),
+    ],
+)
+def test_a_function_for_whose_truth_a_condition_asks(judge: Judge, line: str, help: str):
+    (finding,) = judge("API001", TESTS.format(line=line))
+    assert finding.message.startswith("this condition does not call ")
+    assert finding.message.endswith("(): the function itself is always true")
+    assert finding.help == help
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "if self.ready and self.is_ready() and asked.done():",
+        "if self.places:",
+        "if self.replaced:",
+        "if self.other.done:",
+        "if self.may_go and self.may_go('kitchen'):",
+        "if (ask := self.is_ready) is not None:",
+    ],
+)
+def test_a_condition_that_asks_for_a_value(judge: Judge, line: str):
+    """Values, properties, what a derived class sets to None, and what is called as soon as it is there."""
+    judge("API001", TESTS.format(line=line))

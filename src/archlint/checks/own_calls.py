@@ -11,10 +11,12 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.model import Misuse
+from archlint.python_code.bare_supers import calls_of_bare_super
 from archlint.python_code.compared_methods import ComparedMethod, compared_methods
 from archlint.python_code.object_calls import refused_object_calls
-from archlint.python_code.own_calls import RefusedOwnCall, calls_of_bare_super, refused_own_calls
+from archlint.python_code.own_calls import RefusedOwnCall, refused_own_calls
 from archlint.python_code.own_results import WrongLength, wrong_lengths
+from archlint.python_code.tested_methods import TestedMethod, tested_methods
 from archlint.python_code.uncalled_names import uncalled_names
 
 if TYPE_CHECKING:
@@ -38,6 +40,8 @@ def own_call_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _not_called(name, place))
         for test in compared_methods(system.workspace):
             yield from unless_uncalled(system, _compared(test))
+        for tested in tested_methods(system.workspace):
+            yield from unless_uncalled(system, _tested(tested))
         for place in calls_of_bare_super(system.workspace):
             yield from unless_uncalled(system, _of_bare_super(place))
 
@@ -94,6 +98,18 @@ def _compared(test: ComparedMethod) -> Finding:
         help=help,
         identity=(COMPARED, name),
         group=(place.file, COMPARED, name),
+    )
+
+
+def _tested(test: TestedMethod) -> Finding:
+    name = test.written.rpartition(".")[2]
+    return finding(
+        "API001",
+        test.place,
+        f"this condition does not call {name}(): the function itself is always true",
+        help=f"write {test.written}({'…' if test.takes_arguments else ''})",
+        identity=(COMPARED, test.written),
+        group=(test.place.file, COMPARED, test.written),
     )
 
 

@@ -28,7 +28,6 @@ from archlint.python_code.class_chains import (
 from archlint.python_code.offered_names import MAKES_NAMES, stars
 from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
-from archlint.syntax.bare_super import bare_super_calls
 from archlint.syntax.bindings import bound_by, names_bound
 from archlint.syntax.misspelt_constructor import CONSTRUCTOR, meant_as_constructor
 from archlint.syntax.parts import Itself, everything_in, once_for
@@ -161,13 +160,6 @@ def _needed(params: Sequence[facts.Param]) -> Iterator[str]:
             yield param.name
 
 
-def calls_of_bare_super(workspace: WorkspaceIndex) -> Iterator[Place]:
-    """Every ``super.__init__(…)`` in the files that were asked for, but for test code."""
-    for path in workspace.python_files():
-        for span in _bare_super_calls(workspace, path) or ():
-            yield Place(path, *span)
-
-
 # ----------------------------------------------------------------------------------------------- which calls there are
 
 
@@ -220,15 +212,6 @@ def _defined_once(code: facts.Facts) -> frozenset[str]:
             case facts.ImportFrom(names=imported):
                 names.update(bound for _, bound in imported)
     return frozenset(name for name in names if bindings_of(code)[name] == 1)
-
-
-@kept_for_each_file
-def _bare_super_calls(code: facts.Facts) -> list[facts.Span]:
-    if "super" in bindings_of(code) or not MAKES_NAMES.isdisjoint(code.names):
-        return []
-    forgiven = tried_for(code.body, {"TypeError"})
-    calls = (call for cls in classes_of(code) for call in bare_super_calls(cls))
-    return [*dict.fromkeys(call.span for call in calls if Itself[facts.Base](call) not in forgiven)]
 
 
 def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
@@ -375,8 +358,8 @@ def _times_bound(code: facts.Class) -> Counter[str]:
 
 
 def _is_replaced(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
-    """Whether a derived class has a method of its own by a name, or any code assigns it."""
-    if any(name in _methods(derived.code) for derived in derived_from(workspace, cls)):
+    """Whether a derived class has something of its own by a name, or any code assigns it."""
+    if any(_times_bound(derived.code)[name] for derived in derived_from(workspace, cls)):
         return True
     files = dict.fromkeys((cls.file, *files_with(workspace, name)))
     return any((assigned := assigned_attributes(workspace, file)) is None or name in assigned for file in files)
@@ -395,7 +378,6 @@ __all__ = [
     "RefusedOwnCall",
     "assigned_attributes",
     "bindings_of",
-    "calls_of_bare_super",
     "class_meant_by",
     "function_meant",
     "method_meant",
