@@ -24,7 +24,7 @@ LEFT_OVER = "remove the entry: it has no module, and no launch file starts it"
         (
             "'talker == robot.b:main'",
             "it has '==' instead of '=', and module 'robot.b' does not exist",
-            "remove the entry",
+            "write 'talker = robot.talker:main'",
         ),
         (
             "'talker = robot.talker:main' 'other = robot.talker:main'",
@@ -218,34 +218,47 @@ def test_a_node_action_without_a_package_needs_none(findings):
         (
             "robot.tlker",
             "module 'robot.tlker' does not exist; did you mean 'robot.talker'?",
-            "write 'talker = robot.talker:main'",
+            "write 'tower = robot.talker:main'",
         ),
         ("robot.b", "module 'robot.b' does not exist", LEFT_OVER),
         (
             "robot.robot_arm_talker",
             "module 'robot.robot_arm_talker' does not exist; did you mean 'robot.talker'?",
-            "write 'talker = robot.talker:main'",
+            "write 'tower = robot.talker:main'",
         ),
         ("robot.robot_a", "module 'robot.robot_a' does not exist", LEFT_OVER),
         (
             "robt.talker",
             "module 'robt.talker' does not exist; did you mean 'robot.talker'?",
-            "write 'talker = robot.talker:main'",
+            "write 'tower = robot.talker:main'",
         ),
     ],
 )
 def test_a_module_that_is_not_there_is_named_with_the_near_one(findings, target, words, help):
-    (found,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:", f"{target}:"), "robot/a.py": ""})
+    (found,) = findings(
+        "PKG002", **{"setup.py": SETUP.replace("talker = robot.talker:", f"tower = {target}:"), "robot/a.py": ""}
+    )
     assert found.message.endswith(f": {words}")
     assert found.help == help
 
 
 @pytest.mark.parametrize(("text", "said"), [("", False), ("def main():\n    print('on')\n", True)])
 def test_a_module_without_the_function_is_not_the_one_that_was_meant(findings, text: str, said: bool):
-    entry = SETUP.replace("robot.talker:main", "robot.visualizer:main")
+    entry = SETUP.replace("talker = robot.talker:main", "tower = robot.visualizer:main")
     (found,) = findings("PKG002", **{"setup.py": entry, "robot/visualiser.py": text})
     assert ("did you mean 'robot.visualiser'?" in found.message) == said
-    assert found.help == ("write 'talker = robot.visualiser:main'" if said else LEFT_OVER)
+    assert found.help == ("write 'tower = robot.visualiser:main'" if said else LEFT_OVER)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"), [("def main():\n    print(1)\n", True), ("def run():\n    main = 1\n", False)]
+)
+def test_the_module_with_the_name_of_the_executable_was_meant(findings, text: str, said: bool):
+    """The entry is a copy of one of another program, with its own name alone put in."""
+    entry = SETUP.replace("talker = robot.talker:main", "tuner = robot.publisher:main")
+    (found,) = findings("PKG002", **{"setup.py": entry, "robot/tuner.py": text})
+    assert ("did you mean 'robot.tuner'?" in found.message) == said
+    assert found.help == ("write 'tuner = robot.tuner:main'" if said else LEFT_OVER)
 
 
 def test_two_entries_are_not_said_to_mean_one_module(findings):
@@ -257,8 +270,8 @@ def test_two_entries_are_not_said_to_mean_one_module(findings):
 
 
 def test_a_module_that_a_launch_file_wants_may_be_added(findings):
-    setup = SETUP.replace("robot.talker:", "robot.b:")
-    (found,) = findings("PKG002", node(exec="talker"), **{"setup.py": setup})
+    setup = SETUP.replace("talker = robot.talker:", "tower = robot.b:")
+    (found,) = findings("PKG002", node(exec="tower"), **{"setup.py": setup})
     assert found.help == "add the module, or remove the entry"
 
 

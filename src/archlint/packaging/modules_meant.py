@@ -57,6 +57,7 @@ def _likely(workspace: WorkspaceIndex, executable: Executable) -> Meant | None:
     near = near or _near_module(module, _that_start(workspace, executable, module, known))
     if near is None or not _may_offer(workspace, package, near, function):
         near = _shorter(workspace, executable, module, function, known)
+        near = near or _of_its_own_name(workspace, executable, module, function, known)
     return None if near is None else Meant(near, f"{near}:{function}")
 
 
@@ -92,12 +93,27 @@ def _shorter(
 ) -> str | None:
     """The only module beside the missing one with the end of its name: ``arm.driver`` for ``arm.arm_driver``, which
     defines the function."""
-    modules, (parent, _, last) = workspace.code.modules_of(executable.package), module.rpartition(".")
+    parent, _, last = module.rpartition(".")
     beside = _that_start(workspace, executable, module, known) if parent else []
     ends = [name for name in beside if name.startswith(f"{parent}.") and last.endswith(f"_{name[len(parent) + 1 :]}")]
-    code = {name: workspace.facts_at(modules[name]) for name in ends}
-    having = [name for name, read in code.items() if read is not None and function in own_names(read)]
+    having = [name for name in ends if _defines(workspace, executable, name, function)]
     return having[0] if len(having) == 1 else None
+
+
+def _of_its_own_name(
+    workspace: WorkspaceIndex, executable: Executable, module: str, function: str, known: Collection[str]
+) -> str | None:
+    """The module beside the missing one that has the name of the executable, and defines the function: an entry that
+    is made of a copy of another one still names that one's module."""
+    parent, _, _ = module.rpartition(".")
+    own = f"{parent}.{executable.name}" if parent else executable.name
+    starts = own in _that_start(workspace, executable, module, known)
+    return own if starts and _defines(workspace, executable, own, function) else None
+
+
+def _defines(workspace: WorkspaceIndex, executable: Executable, module: str, function: str) -> bool:
+    code = workspace.facts_at(workspace.code.modules_of(executable.package)[module])
+    return code is not None and function in own_names(code)
 
 
 def _near_module(module: str, known: Collection[str]) -> str | None:
