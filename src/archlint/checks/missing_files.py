@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.checks.folding import folds, with_places
+from archlint.checks.joined_folders import WHAT, decided_at, is_joined_wrongly, joined_folders
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -23,6 +24,7 @@ from archlint.launch_files.missing_files import (
     names_beside,
     namesake,
     other_package_with,
+    path_of_these_parts,
 )
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, package_meant, package_with
 from archlint.packaging.generated_files import has_template, is_generated, is_ignored
@@ -34,13 +36,6 @@ if TYPE_CHECKING:
     from archlint.launch.named_files import FileReference
     from archlint.systems.model import System, WorkspaceIndex
 
-_WHAT = {
-    FileKind.LAUNCH: "launch file",
-    FileKind.PARAMETERS: "parameter file",
-    FileKind.RVIZ: "RViz configuration",
-    FileKind.OTHER: "file",
-    FileKind.ARGUMENT: "file",
-}
 _OF_NO_KIND = (FileKind.OTHER, FileKind.ARGUMENT)
 _READ = (".lua", ".sdf", ".srdf", ".urdf", ".world", ".xacro")
 """What nodes are given to read: another file that is not there may be one that they write."""
@@ -55,14 +50,15 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     """Included files, parameter files and RViz configurations that are not where the launch file looks."""
     yield from _relative_paths(system)
     yield from _absent_packages(system)
+    yield from joined_folders(system)
     uses: dict[tuple[Place, str | None], list[FileReference]] = {}
     references = system.launched.references if system.launched is not None else ()
     mixed = _mixtures(references)
     for reference in references:
         if reference.status not in (FileStatus.MISSING, FileStatus.NOT_INSTALLED) or reference.optional:
             continue
-        if reference not in mixed and not _lacks_a_part(reference):
-            uses.setdefault((_decided_at(reference), reference.written), []).append(reference)
+        if reference not in mixed and not _lacks_a_part(reference) and not is_joined_wrongly(system, reference):
+            uses.setdefault((decided_at(reference), reference.written), []).append(reference)
     for (place, written), references in uses.items():
         [reference, *others] = sorted(references, key=_by_kind)
         other = reference.kind in _OF_NO_KIND and reference.status == FileStatus.MISSING
@@ -104,7 +100,7 @@ class _Told(NamedTuple):
 
 def _missing(system: System, reference: FileReference, shown: str) -> _Told | None:
     """What is said of a file that is not there; None where that is said of the build."""
-    workspace, package, what = system.workspace, reference.package or "", _WHAT[reference.kind]
+    workspace, package, what = system.workspace, reference.package or "", WHAT[reference.kind]
     path = _in_package(system, reference, shown)
     near = _file_meant(workspace, package, shown)
     misplaced = near.endswith(f"/{path}") and workspace is not None and is_installed_nowhere(workspace, package, near)
@@ -138,7 +134,7 @@ def _not_installed(system: System, reference: FileReference, shown: str) -> _Tol
         if aside
         else _installed_so(system, reference, shown)
     )
-    message = f"package '{reference.package}' does not install the {_WHAT[reference.kind]} '{shown}'"
+    message = f"package '{reference.package}' does not install the {WHAT[reference.kind]} '{shown}'"
     return _Told(message, help, FileStatus.NOT_INSTALLED, _cause(system, reference, shown))
 
 
@@ -193,8 +189,8 @@ def _relative_paths(system: System) -> Iterator[Finding]:
         start = "$(find-pkg-share {0})/{1}" if frontend else "os.path.join(get_package_share_directory('{0}'), '{1}')"
         yield finding(
             "LCH004",
-            _decided_at(reference),
-            f"the {_WHAT[reference.kind]} '{written}' has a relative path: it is looked for in the folder in which "
+            decided_at(reference),
+            f"the {WHAT[reference.kind]} '{written}' has a relative path: it is looked for in the folder in which "
             "ros2 launch is started",
             help=f"write {start.format(*beside)}",
             identity=(beside[0], written),
@@ -207,7 +203,7 @@ def _absent_packages(system: System) -> Iterator[Finding]:
     seen = set()
     for reference in system.launched.references if system.launched is not None else ():
         package, workspace = reference.package, system.workspace
-        place = _decided_at(reference)
+        place = decided_at(reference)
         if workspace is None or package is None or reference.status != FileStatus.EXTERNAL or reference.conditional:
             continue
         if reference.optional or (place, package) in seen or not is_nowhere(workspace, package):
@@ -222,7 +218,7 @@ def _absent_packages(system: System) -> Iterator[Finding]:
         yield finding(
             "LCH004",
             place,
-            f"there is no package '{package}', in which this looks for the {_WHAT[reference.kind]} '{named}'"
+            f"there is no package '{package}', in which this looks for the {WHAT[reference.kind]} '{named}'"
             + (meant(f"'{near}'") if near is not None else ""),
             help=f"write '{near}'" if near is not None else "put in the name of the package that has the file",
             identity=(package, reference.written or ""),
@@ -302,16 +298,6 @@ def _in_package(system: System, reference: FileReference, shown: str) -> str:
     return shown if installs is None else shown.removeprefix(f"{installs.folder}/")
 
 
-def _decided_at(reference: FileReference) -> Place:
-    """Where the name of a file is written, an argument's default say, unless that is inside of what uses it."""
-    use, given = reference.place, reference.given
-    if given is None or given.file != use.file:
-        return given or use
-    starts = (use.line, use.column) <= (given.line, given.column)
-    ends = (given.end_line, given.end_column) <= (use.end_line, use.end_column)
-    return use if starts and ends else given
-
-
 def _file_meant(workspace: WorkspaceIndex | None, package: str, shown: str) -> str:
     """The file beside a missing one whose name is nearest to its name, or the path of the one file that has its very
     name in another folder: that to which it is installed."""
@@ -320,6 +306,8 @@ def _file_meant(workspace: WorkspaceIndex | None, package: str, shown: str) -> s
     same = [other for other in beside if have_same_words(name, other)]
     if len(same) == 1:
         return same[0]
+    if workspace is not None and (parted := path_of_these_parts(workspace, package, shown)) is not None:
+        return parted
     near = nearest(name, [other for other in beside if _is_like(name, other)])
     other = None if near or workspace is None else namesake(workspace, package, shown)
     if workspace is None or other is None:

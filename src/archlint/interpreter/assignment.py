@@ -30,7 +30,10 @@ def assign(machine: Machine, target: facts.Expr, value: Value) -> None:
         case facts.Attribute():
             set_attribute(machine, machine.evaluate(target.value), target.attr, value, target)
         case facts.Subscript():
-            set_item(machine, machine.evaluate(target.value), machine.evaluate(target.index), value)
+            container, index = machine.evaluate(target.value), machine.evaluate(target.index)
+            set_item(machine, container, index, value)
+            if container.dotted:
+                machine.library.note_item(container.dotted, index, value, target)
         case facts.Sequence():
             _unpack(machine, target.elements, value)
         case facts.Starred():

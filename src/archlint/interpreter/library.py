@@ -55,6 +55,9 @@ class Library:
     def note_key(self, container: DictValue, key: Known, expression: facts.Subscript) -> None:
         """Code takes something out of a dict, under a key that is known."""
 
+    def note_item(self, container: str, key: Value, value: Value, target: facts.Subscript) -> None:
+        """Code sets an item of a foreign object, by its dotted name: ``os.environ['X'] = …``."""
+
     def note_own_read(self, value: Value, name: str, span: facts.Span, result: Value) -> None:
         """Code reads an attribute of what is an object of a class of ours, or one of several such objects."""
 

@@ -10,6 +10,7 @@ from archlint.launch.kinds import FileKind, FileStatus, GapKind, StartedKind
 from archlint.launch.mistakes import (
     AbsentKey,
     IdleGroup,
+    JoinedFolder,
     LeakedArgument,
     MissingArguments,
     NotAChoice,
@@ -34,7 +35,7 @@ LAUNCHES: Final = Language(
         *(Launched, Started, Remap, Included, DeclaredArgument, Gap, Place, Text),
         *(ParameterSetting, ParameterFileUse, OpenParameters, FileReference, Rewriting, Replacing, Written),
         *(NotKnown, AbsentKey, LeakedArgument, NotACondition, NotAPath, RefusedValue, UndeclaredUse),
-        *(UnknownAttribute, WithoutContext, MissingArguments, NotAChoice, IdleGroup),
+        *(UnknownAttribute, WithoutContext, MissingArguments, NotAChoice, IdleGroup, JoinedFolder),
         *(branches.CodeBranch, branches.ChoiceOfCallee, branches.ChoiceOfArgument, branches.AttributeBranch),
         *(branches.ArgumentBranch, branches.UnfollowedCondition, branches.ChoiceOfValue, branches.ChoiceOfVisit),
     ),

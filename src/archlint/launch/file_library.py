@@ -13,6 +13,7 @@ from archlint.launch import (
     loaded_modules,
     mathematics,
     read_files,
+    search_paths,
     tables,
     written_files,
 )
@@ -28,6 +29,11 @@ if TYPE_CHECKING:
 
 
 _P = ParamSpec("_P")
+_CONSTANTS = {
+    **mathematics.CONSTANTS,
+    **{f"os.{where}{name}": Known(text) for where in ("", "path.") for name, text in (("sep", "/"), ("pathsep", ":"))},
+}
+"""Robots run Linux."""
 _OF_PACKAGE = re.compile(r"\$\(find-pkg-share ([\w.-]+)\)/")
 _SAID_BY_COMPONENTS = {
     "package": "package",
@@ -64,10 +70,10 @@ class LaunchFileLibrary(LaunchLibrary):
         return given if is_component and given is not None else super().attribute_of_object(value, cls, name)
 
     def imported(self, path: str, span: facts.Span) -> Value:
-        return mathematics.CONSTANTS.get(path) or super().imported(path, span)
+        return _CONSTANTS.get(path) or super().imported(path, span)
 
     def attribute_of_external(self, value: External, name: str) -> Value:
-        return mathematics.CONSTANTS.get(f"{value.path}.{name}") or super().attribute_of_external(value, name)
+        return _CONSTANTS.get(f"{value.path}.{name}") or super().attribute_of_external(value, name)
 
     def expects_to_read(self) -> bool:
         """What a launch file reads of the workspace is there, for all that is seen."""
@@ -75,6 +81,10 @@ class LaunchFileLibrary(LaunchLibrary):
 
     def note_key(self, container: DictValue, key: Known, expression: facts.Subscript) -> None:
         read_files.note_key(self._launch, container, key, expression)
+
+    def note_item(self, container: str, key: Value, value: Value, target: facts.Subscript) -> None:
+        if container == "os.environ" and key.text is not None:
+            search_paths.note_assigned(self._launch, key.text, value, self._launch.place(target.span))
 
     def matches(self, folder: str, pattern: str) -> list[str] | None:
         return read_files.matches(self._launch, folder, pattern)

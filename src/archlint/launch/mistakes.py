@@ -109,6 +109,17 @@ class NotAPath:
 
 
 @dataclass(frozen=True)
+class JoinedFolder:
+    """Two parts of the search path ``variable``, one right behind the other; ``separator`` belongs between them."""
+
+    variable: str
+    before: str
+    after: str
+    separator: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class RefusedValue:
     """A value that launch takes for no text: ``what`` says which, and ``parameter`` of which action it is for.
 

@@ -10,6 +10,7 @@ from archlint.launch.kinds import FileStatus, GapKind
 from archlint.launch.mistakes import (
     AbsentKey,
     IdleGroup,
+    JoinedFolder,
     LeakedArgument,
     MissingArguments,
     NotAChoice,
@@ -112,6 +113,7 @@ class Launched:
     without_context: list[WithoutContext] = field(default_factory=list)
     absent_keys: list[AbsentKey] = field(default_factory=list)
     joined: list[NotAPath] = field(default_factory=list)
+    joined_folders: list[JoinedFolder] = field(default_factory=list)
     undefined: dict[Place, str] = field(default_factory=dict)
     """Names that a launch file reads and nothing defines, each where it stops the launch."""
     gaps: list[Gap] = field(default_factory=list)

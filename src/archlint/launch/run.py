@@ -28,6 +28,7 @@ from archlint.launch.kinds import FileKind, FileStatus, GapKind
 from archlint.launch.mistakes import (
     AbsentKey,
     IdleGroup,
+    JoinedFolder,
     MissingArguments,
     NotAChoice,
     NotACondition,
@@ -252,6 +253,9 @@ class LaunchRun(Run):
 
     def note_joined(self, mistake: NotAPath) -> None:
         self._note(mistake, self.result.joined)
+
+    def note_joined_folder(self, mistake: JoinedFolder) -> None:
+        self._note(mistake, self.result.joined_folders)
 
     def reference(self, kind: FileKind, path: Value, place: Place, name: str | None = None) -> FileReference:
         """Note which file a path means; ``name`` is what passes it to a node: a parameter, or an argument."""

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.launch.run import LaunchRun
 
-_SHARED = re.compile(r"\$\(find-pkg-share [\w.-]+\)/[^\s'\"\0]*\.\w+(?=$|[\s'\"])")
+_SHARED = re.compile(r"\$\(find-pkg-share [\w.-]+\)/?[^\s'\"\0]*\.\w+(?=$|[\s'\"])")
 """A file, by its path; where a name ends that is not known in full, nothing is."""
 _HOLE = "\0"
 _FILE_URL = "file://"

@@ -44,6 +44,18 @@ def namesake(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
     return files[0] if len(files) == 1 else None
 
 
+def path_of_these_parts(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
+    """The only file of a package whose path differs from a missing one by slashes alone: ``launch/it.launch.py`` for
+    ``launchit.launch.py``."""
+    installs = workspace.installs.get(package)
+    if installs is None:
+        return None
+    top, whole = installs.folder, path.replace("/", "")
+    below = (file.removeprefix(f"{top}/") for file in workspace.tree.files_below(top))
+    files = [file for file in below if file != path and file.replace("/", "") == whole]
+    return files[0] if len(files) == 1 else None
+
+
 def other_package_with(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
     """The only other package of the workspace that has a file of a path, which says more than the name of the file."""
     path = posixpath.normpath(path)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.interpreter.values import DictValue, Known, Unknown, Value, one_of, reason
+from archlint.launch import search_paths
 from archlint.launch.actions.branches import callable_value
 from archlint.launch.actions.choices import note_no_choice
 from archlint.launch.actions.idle_groups import note_idle_group
@@ -198,6 +199,7 @@ def environment(run: LaunchRun, entity: LaunchObject) -> None:
     name = run.text_of(entity.argument("name"))
     if name is not None:
         run.launch.environment[name] = run.perform(entity.argument("value"))
+        search_paths.note_variable(run, entity)
 
 
 def forget_environment(run: LaunchRun, entity: LaunchObject) -> None:
