@@ -38,6 +38,7 @@ MODULES: tuple[str, ...] = (
     "packages",
     "circles",
     "cmake_names",
+    "refused_commands",
     "refused_manifests",
     "clock_topics",
     "parameter_members",

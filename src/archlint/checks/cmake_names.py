@@ -115,8 +115,8 @@ def _unregistered(installs: Installs, last: Place) -> Finding:
 
 def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -> Iterator[Finding]:
     known = packages.table().names | workspace.packages.keys()
-    there = closure(installs.looked_for, lambda name: _found_with(workspace, name))
-    unknown = there - _SYSTEM - known
+    there = closure(installs.looked_for, lambda name: found_with(workspace, name))
+    unknown = there - SYSTEM - known
     all_known = not unknown
     lacking = known - there - {*options.external} if all_known else frozenset[str]()
     for named in installs.names_of_nothing:
@@ -131,14 +131,14 @@ def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -
             yield _two_names(installs, named, halves)
         elif named.command == _TAKES_A_TARGET and (
             named.name in lacking
-            or (named.name not in known | {*options.external} and _is_found_with_none(named.name, unknown))
+            or (named.name not in known | {*options.external} and _isfound_with_none(named.name, unknown))
         ):
             yield _package(installs, named)
         elif named.name not in known and named.name in _interfaces_of(installs) and named.command == _TAKES_A_TARGET:
             yield _interface(installs, named)
 
 
-def _is_found_with_none(name: str, unknown: AbstractSet[str]) -> bool:
+def _isfound_with_none(name: str, unknown: AbstractSet[str]) -> bool:
     """Whether none of the packages of which nobody knows what they find, too, may find one of interfaces: they have
     other names."""
     if _OF_MESSAGES.fullmatch(name) is None:
@@ -147,13 +147,13 @@ def _is_found_with_none(name: str, unknown: AbstractSet[str]) -> bool:
     return all(words.isdisjoint(re.split(r"[\W_]+", other.lower())) for other in unknown)
 
 
-def _found_with(workspace: WorkspaceIndex, name: str) -> set[str]:
+def found_with(workspace: WorkspaceIndex, name: str) -> set[str]:
     """What ``find_package`` of a package finds, too: the packages that it exports."""
     installs = workspace.installs.get(name)
     return brought_by(name, workspace) | ({*installs.looked_for} if installs is not None else set())
 
 
-_SYSTEM = frozenset({"Boost", "Eigen3", "GTest", "OpenCV", "OpenMP", "PkgConfig", "Python3", "Threads"})
+SYSTEM = frozenset({"Boost", "Eigen3", "GTest", "OpenCV", "OpenMP", "PkgConfig", "Python3", "Threads"})
 """What CMake finds that finds no package of ROS with it."""
 _PROJECT = "project"
 _TAKES_A_TARGET = "ament_target_dependencies"
@@ -231,4 +231,4 @@ def _of_one_name(findings: Sequence[Finding]) -> Finding:
     return with_others(findings, "another command is", "more commands are", "given it, too")
 
 
-__all__ = ["unknown_cmake_name"]
+__all__ = ["SYSTEM", "found_with", "unknown_cmake_name"]

@@ -12,6 +12,7 @@ from archlint.programs.cmake_commands import misspelt_commands, unregistered_at
 from archlint.programs.cmake_names import may_make_anything, misnamed_project, misspelt_variables, read_names
 from archlint.programs.cmake_targets import TargetNames
 from archlint.programs.installed_targets import programs_astray
+from archlint.programs.refused_commands import called_commands, refused_commands
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.workspace.cmake import Argument, Command
 from archlint.workspace.cmake_run import CMakeRun, Step, without_source
@@ -94,7 +95,9 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     if not run.open:
         installs.astray = programs_astray(installs, run.steps, targets)
         read_names(installs, run.steps)
+        installs.called += called_commands(run.steps) if installs.looked_for else []
         installs.unset_variables += misspelt_variables(run.steps)
+    installs.refused += refused_commands(run.steps, None if makes_sources else tree)
     installs.misspelt += misspelt_commands(run.steps, installs.words)
     installs.unregistered_at = None if run.open else unregistered_at(installs, run.steps)
     installs.names_of_nothing += misnamed_project(installs, run.steps)

@@ -6,7 +6,7 @@ import fnmatch
 import posixpath
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -92,6 +92,39 @@ class MisspeltCommand:
 
     name: str
     meant: str
+    place: Place
+
+
+Refusal = Literal[
+    "two signatures",
+    "made twice",
+    "types made twice",
+    "two packages of Python",
+    "no destination",
+    "no target",
+    "no option",
+    "no package of Python",
+]
+
+
+@dataclass(frozen=True)
+class RefusedCommand:
+    """A ``command`` that CMake stops at: what is wrong with ``name``, one of its arguments; ``before`` is the place of
+    the command that this one does not go with."""
+
+    kind: Refusal
+    name: str
+    command: str
+    place: Place
+    before: Place | None = None
+
+
+@dataclass(frozen=True)
+class CalledCommand:
+    """A command of CMake that a ``package`` defines which ``find_package()`` has to find."""
+
+    name: str
+    package: str
     place: Place
 
 
@@ -193,6 +226,10 @@ class Installs:
     """Variables that the CMake files read and do not set, with almost the name of ``PROJECT_NAME``."""
     misspelt: list[MisspeltCommand] = field(default_factory=list)
     """Commands that the CMake files call and that nothing defines."""
+    refused: list[RefusedCommand] = field(default_factory=list)
+    """Commands that CMake stops at as they are written."""
+    called: list[CalledCommand] = field(default_factory=list)
+    """Commands of packages that have to be found, where all of the build is read."""
     unregistered_at: Place | None = None
     """The last command of the CMakeLists.txt, where nothing in the build enters the package into the index."""
     looked_for: frozenset[str] = frozenset()
