@@ -73,6 +73,27 @@ def names(findings):
             "take it off: a target gets the types of its own package with rosidl_get_typesupport_target()",
         ),
         (
+            "find_package(rosidl_default_generators REQUIRED)\n"
+            "rosidl_generate_interfaces(${PROJECT_NAME} msg/Speed.msg DEPENDENCIES geometry_msgs)\n",
+            "rosidl_generate_interfaces() is given 'geometry_msgs', which no find_package() has found: the build stops",
+            "add find_package(geometry_msgs REQUIRED)",
+        ),
+        (
+            TALKER + "install(TARGETS talker DESTINATION lib/{PROJECT_NAME})\n",
+            "CMake takes 'lib/{PROJECT_NAME}' as it is written: no variable is read",
+            "write ${PROJECT_NAME} with a '$' and braces",
+        ),
+        (
+            TALKER + "install(TARGETS talker DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
+            "nothing sets the variable 'CATKIN_PACKAGE_BIN_DESTINATION', so that there is nothing in its place here",
+            "catkin of ROS 1 sets it: write lib/${PROJECT_NAME}",
+        ),
+        (
+            TALKER + "install(TARGETS talker DESTINATION lib/${PACKAGE_NAME})\n",
+            "nothing sets the variable 'PACKAGE_NAME', so that there is nothing in its place here",
+            "write '${PROJECT_NAME}'",
+        ),
+        (
             "ament_export_dependencies(rclcpp nav_msgsgeometry_msgs)\n",
             "ament_export_dependencies() is given 'nav_msgsgeometry_msgs', which is no package, but the names of two",
             "write 'nav_msgs' and 'geometry_msgs', with a space between them",
@@ -212,6 +233,10 @@ def test_a_variable_that_is_almost_the_name_of_the_project(names, name):
         "if(project_name)\n" + INSTALLED.format("project_name") + "endif()\n",
         INSTALLED.format("PROJECT_BINARY_DIR"),
         INSTALLED.format("ARM_NAME"),
+        "set(PACKAGE_NAME robot)\n" + INSTALLED.format("PACKAGE_NAME"),
+        "find_package(catkin)\n" + INSTALLED.format("CATKIN_PACKAGE_BIN_DESTINATION"),
+        TALKER + "install(TARGETS talker DESTINATION lib)\nmessage(STATUS ${PACKAGE_NAME})\n",
+        TALKER + GENERATES.replace("files})", "files} DEPENDENCIES builtin_interfaces)"),
     ],
 )
 def test_a_variable_that_may_be_set(names, text):
@@ -304,3 +329,13 @@ def test_a_package_that_something_registers_or_may(findings, text):
 def test_a_package_that_looks_for_itself(names, text, told):
     message = "find_package() is given 'robot', this package itself, which is not installed yet: a clean build stops"
     assert [row[0] for row in names(text)] == [message] * told
+
+
+def test_a_package_that_is_declared_by_another_name(findings):
+    declared = CMAKE.replace("<export>", "<depend>geometry_msgs</depend>\n<export>")
+    text = f"{HEAD}find_package(geometry_mgs REQUIRED)\nament_package()\n"
+    (found,) = findings("PKG012", **{"package.xml": declared, "CMakeLists.txt": text})
+    assert found.message.endswith("the build stops; did you mean 'geometry_msgs'?")
+    assert findings("PKG012", **{"package.xml": CMAKE, "CMakeLists.txt": text}) == []
+    both = text.replace("ament_package", "find_package(geometry_msgs REQUIRED)\nament_package")
+    assert findings("PKG012", **{"package.xml": declared, "CMakeLists.txt": both}) == []

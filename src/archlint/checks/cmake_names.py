@@ -46,6 +46,7 @@ def unknown_cmake_name(system: System, options: Options) -> Iterator[Finding]:
             yield from _of_build(workspace, installs, options)
         yield from (_of_python(installs, asked) for asked in installs.required if _is_of_python(workspace, asked.name))
         yield from (_itself(installs, asked) for asked in installs.required if _is_itself(installs, asked))
+        yield from _misspelt_packages(workspace, installs, {row.name for row in package.dependencies}, options)
 
 
 _PYTHON_PACKAGES = frozenset(
@@ -91,6 +92,27 @@ def _itself(installs: Installs, asked: FoundPackage) -> Finding:
     )
 
 
+def _misspelt_packages(
+    workspace: WorkspaceIndex, installs: Installs, declared: AbstractSet[str], options: Options
+) -> Iterator[Finding]:
+    """Packages that are nowhere, where package.xml declares one of almost the name that CMake never looks for."""
+    known = packages.table().names | workspace.packages.keys()
+    others = (declared & known) - {row.name for row in installs.required} - installs.looked_for
+    for asked in installs.required:
+        unknown = asked.name not in known | declared | SYSTEM | {*options.external} and asked.name.islower()
+        meant = nearest(asked.name, others) if unknown else None
+        if meant is not None:
+            yield finding(
+                "PKG012",
+                asked.place,
+                f"find_package() is given '{asked.name}', which is nowhere: the build stops; did you mean '{meant}'?",
+                help=f"write {meant}, as package.xml does",
+                identity=(installs.package, "find_package", asked.name),
+                group=(asked.place.file, "misspelt", asked.name),
+                meant=meant,
+            )
+
+
 def _command(misspelt: MisspeltCommand) -> Finding:
     return finding(
         "PKG012",
@@ -129,7 +151,7 @@ def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -
             yield _target_as_package(installs, named)
         elif named.name not in known and halves is not None:
             yield _two_names(installs, named, halves)
-        elif named.command == _TAKES_A_TARGET and (
+        elif named.command in (_TAKES_A_TARGET, _GENERATES) and (
             named.name in lacking
             or (named.name not in known | {*options.external} and _isfound_with_none(named.name, unknown))
         ):
@@ -157,14 +179,23 @@ SYSTEM = frozenset({"Boost", "Eigen3", "GTest", "OpenCV", "OpenMP", "PkgConfig",
 """What CMake finds that finds no package of ROS with it."""
 _PROJECT = "project"
 _TAKES_A_TARGET = "ament_target_dependencies"
+_GENERATES = "rosidl_generate_interfaces"
 _OF_MESSAGES = re.compile(r"[a-z0-9_]+_(?:msgs|interfaces|srvs)")
 """How packages of interfaces are called: no package of the system is, which one that is found may find with it."""
 _KINDS = frozenset({"action", "msg", "srv"})
 
 
 def _variable(installs: Installs, named: NameInCMake) -> Finding:
+    if "{" in named.name or "$" in named.name:
+        message = f"CMake takes '{named.name}' as it is written: no variable is read"
+        help = "write ${PROJECT_NAME} with a '$' and braces"
+        return _finding(installs, named, message, help, "as written")
     message = f"nothing sets the variable '{named.name}', so that there is nothing in its place here"
-    return _finding(installs, named, message, "write '${PROJECT_NAME}'", "variable")
+    help = "write '${PROJECT_NAME}'"
+    if named.name.startswith("CATKIN_"):
+        folder = "lib" if "BIN" in named.name else "share"
+        help = f"catkin of ROS 1 sets it: write {folder}/${{PROJECT_NAME}}"
+    return _finding(installs, named, message, help, "variable")
 
 
 def _project(installs: Installs, named: NameInCMake) -> Finding:

@@ -26,6 +26,7 @@ _OF_A_TARGET = frozenset({"ament_target_dependencies", "target_link_libraries", 
 """Commands whose first argument must be a target."""
 _OF_PACKAGES = {"ament_target_dependencies": 1, "ament_export_dependencies": 0}
 """Commands that are given packages, from which argument on."""
+_GENERATES = "rosidl_generate_interfaces"
 _KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
 _FINDS = frozenset({"find_package", "pkg_check_modules", "pkg_search_module", "find_library", "find_path"})
 _UNREAD = frozenset({"while", "return", "cpmaddpackage", "catkin", "externalproject_add", "fetchcontent_declare"}) | {
@@ -57,24 +58,40 @@ def read_names(installs: Installs, steps: Sequence[Step]) -> None:
 
 
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
+_WITHOUT_SIGN = re.compile(r"(?<!\$)\{PROJECT_NAME\}|\$PROJECT_NAME\b")
 _OF_PROJECT = "PROJECT_NAME"
+_OF_CATKIN = "CATKIN_"
+_LIKE_ITS_NAME = frozenset({"package", "package_name", "pkg", "pkg_name", "packagename", "pkgname"})
+"""What people take for the variable of the package's name."""
 
 
 def misspelt_variables(steps: Sequence[Step]) -> Iterator[NameInCMake]:
     """The variables without a value whose names are almost ``PROJECT_NAME``, where they always matter.  A variable that
     some command is given by its bare name may have a value: ``set(PROJECTNAME robot)``."""
     bare = {text for step in steps for text in step.command.texts}
+    if "catkin" in bare:
+        return
     for step in steps:
         for argument in () if step.conditional and not step.of_tests else step.command.arguments:
             for name in _VARIABLE.findall(argument.text):
-                if name not in bare and _is_nearly_of_project(name):
+                if name not in bare and (_is_nearly_of_project(name) or _means_a_folder(name, argument, step)):
                     yield NameInCMake(name, step.command.name, _place(argument, step))
+            if step.command.name == "install" and _WITHOUT_SIGN.search(argument.text):
+                yield NameInCMake(argument.text, step.command.name, _place(argument, step))
 
 
 def _is_nearly_of_project(name: str) -> bool:
     """Whether a name is ``PROJECT_NAME`` with a slip or two, or the beginning of it."""
     begins = name != _OF_PROJECT and _OF_PROJECT.startswith(name.upper()) and len(name) > len("PROJECT_")
     return begins or nearest(name, [_OF_PROJECT]) is not None
+
+
+def _means_a_folder(name: str, argument: Argument, step: Step) -> bool:
+    """Whether a variable that nothing sets is a folder to install into: one of catkin, or the name of the package."""
+    if step.command.name != "install" or not (name.startswith(_OF_CATKIN) or name.lower() in _LIKE_ITS_NAME):
+        return False
+    pairs = zip(step.command.arguments, step.command.arguments[1:], strict=False)
+    return any(before.text == "DESTINATION" and after is argument for before, after in pairs)
 
 
 _AMENT_PACKAGES = frozenset({"ament_package", "ament_package_xml", "ament_auto_package"})
@@ -113,11 +130,25 @@ def _own_library(step: Step, package: str) -> Iterator[NameInCMake]:
 
 
 def _of_packages(step: Step) -> Iterator[NameInCMake]:
+    if step.command.name == _GENERATES:
+        for argument in _dependencies(step.command):
+            if not argument.open:
+                yield NameInCMake(argument.text, _GENERATES, _place(argument, step), package=True)
     if step.command.name in _OF_PACKAGES:
         arguments = step.command.arguments[_OF_PACKAGES[step.command.name] :]
         for argument in arguments:
             if not argument.open and argument.text not in _KEYWORDS:
                 yield NameInCMake(argument.text, step.command.name, _place(argument, step), package=True)
+
+
+def _dependencies(command: Command) -> Sequence[Argument]:
+    """The packages whose interfaces ``rosidl_generate_interfaces`` is told to use."""
+    texts = command.texts
+    if "DEPENDENCIES" not in texts:
+        return ()
+    first = texts.index("DEPENDENCIES") + 1
+    last = next((at for at in range(first, len(texts)) if texts[at].isupper()), len(texts))
+    return command.arguments[first:last]
 
 
 def _finds(step: Step) -> bool:
