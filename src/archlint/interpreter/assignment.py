@@ -40,6 +40,15 @@ def assign(machine: Machine, target: facts.Expr, value: Value) -> None:
             assign(machine, target.value, value)
 
 
+def assign_where_it_is(machine: Machine, target: facts.Expr, value: Value) -> None:
+    """A call assigns to a variable that it is given, of whichever scope around that is; nothing for what is none."""
+    bound = machine.activation.scope.bound
+    if isinstance(target, facts.Name) and bound is not None and target.id not in bound:
+        machine.assign_around(target.id, value)  # no statement of this function assigns to it
+    elif isinstance(target, (facts.Name, facts.Implicit, facts.Attribute, facts.Subscript)):
+        assign(machine, target, value)
+
+
 def _unpack(machine: Machine, targets: list[facts.Expr], value: Value) -> None:
     rows = [_row(machine, option) for option in alternatives(value)]
     known = [row for row in rows if row is not None]
@@ -75,4 +84,4 @@ def _unpack_starred(machine: Machine, targets: list[facts.Expr], row: tuple[Valu
         assign(machine, target, item)
 
 
-__all__ = ["assign"]
+__all__ = ["assign", "assign_where_it_is"]

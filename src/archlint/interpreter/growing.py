@@ -6,7 +6,7 @@ callbacks begin, such a collection holds what is not known: loops over it are ju
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -31,6 +31,12 @@ def open_up(machine: Machine) -> None:
                 value = machine.store.get(instance.key, name)
                 if value is not None:
                     _open(machine, value)
+
+
+def may_be_filled(machine: Machine, values: Iterable[Value]) -> None:
+    """Forget that collections are empty which are given to a function that is not followed: it may fill them."""
+    for value in values:
+        _open(machine, value)
 
 
 def _open(machine: Machine, value: Value) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.assignment import assign
+from archlint.interpreter.assignment import assign_where_it_is
 from archlint.interpreter.values import Unknown, Value, one_of
 from archlint.syntax import facts
 from archlint.syntax.parts import once_for
@@ -54,13 +54,8 @@ def with_arguments_written(machine: Machine, ir: Function, site: CallSite, follo
             continue
         target, given = written_down[number - before], site.args[number]
         value = Unknown("the function that it is given to changes it") if written is None else written.get(name, given)
-        if value is given:
-            continue
-        bound = machine.activation.scope.bound
-        if isinstance(target, facts.Name) and bound is not None and target.id not in bound:
-            machine.assign_around(target.id, value)  # a variable of the file: no statement here assigns to it
-        elif isinstance(target, (facts.Name, facts.Implicit, facts.Attribute)):
-            assign(machine, target, value)
+        if value is not given and not isinstance(target, facts.Subscript):
+            assign_where_it_is(machine, target, value)
     return result
 
 

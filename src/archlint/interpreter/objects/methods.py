@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from archlint.interpreter.changed_texts import change
 from archlint.interpreter.objects import dicts, lists, texts
 from archlint.interpreter.values import DictValue, Holed, Known, ListValue, Unknown, Value
 
@@ -17,6 +18,8 @@ _ASKS = frozenset({"index", "count", "remove", "discard"})
 
 def call_method(machine: Machine, target: Value, name: str, site: CallSite) -> Value:
     """``target.name(…)``."""
+    if (changed := change(machine, target, name, site) if isinstance(target, (Known, Holed)) else None) is not None:
+        return changed
     match target:
         case Known(value=str()):
             return texts.call(machine, target, name, site) or Unknown(f"str.{name}() is not followed")

@@ -39,8 +39,8 @@ def _put(run: Run, site: CallSite) -> Value:
                 _put_pair(run, option, values)
             case ListValue():
                 _put_item(run, option, method.text or "", values)
-            case _ if not isinstance(container, OneOf):
-                return run.call(get_attribute(run, option, method.text or ""), replace(site, args=values))
+            case _ if option.is_text or not isinstance(container, OneOf):
+                return run.call(get_attribute(run, container, method.text or ""), replace(site, args=values))
     return Unknown("what a container gives back")
 
 
@@ -55,6 +55,9 @@ def _put_pair(run: Run, container: DictValue, values: list[Value]) -> None:
 
 def _put_item(run: Run, container: ListValue, method: str, values: list[Value]) -> None:
     """``insert(item)``, ``insert(position, item)``; several arguments of ``emplace_back`` make one item."""
+    if method == "assign":
+        run.call(get_attribute(run, container, "clear"), CallSite([]))
+        method, values = "insert", [container, *values]
     if method == "insert" and len(values) > 1:
         values = values[1:]
         if len(values) > 1 or isinstance(values[0], ListValue):  # another container, or a part of it

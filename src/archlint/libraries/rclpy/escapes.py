@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
+from archlint.interpreter import growing
 from archlint.interpreter.values import (
     ENTRIES,
     ITEMS,
@@ -79,12 +80,16 @@ def is_own(path: str) -> bool:
 
 def to_call(run: Run, values: Iterable[Value], what: str, expression: facts.Call | None) -> None:
     """Something is given to a call that is not followed: ``what`` is its name, as far as it has one."""
+    values = list(values)
+    name = what or _name(expression)
+    is_log = name.rpartition(".")[2] in _LOGS
+    if run.activations and run.activation.module.file.kind == "cpp" and not is_log:
+        growing.may_be_filled(run, values)  # such a function mostly takes a reference
     given = carries(values)
     if not given:
         return
     threads.run_escaped_spins(run, given, expression)
-    name = what or _name(expression)
-    if name.rpartition(".")[2] not in _LOGS:
+    if not is_log:
         escape(run, given, f"it is passed to {name}(), which is not followed" if name else _UNFOLLOWED, expression)
 
 

@@ -80,7 +80,7 @@ OPENED = {
         {
             *("string", "to_string", "make_shared", "make_unique", "make_pair", "make_tuple", "bind", "move", "ref"),
             *("vector", "list", "deque", "set", "array", "map", "unordered_map", "shared_ptr", "unique_ptr", "chrono"),
-            *("stringstream", "ostringstream", "static_pointer_cast", "dynamic_pointer_cast"),
+            *("stringstream", "ostringstream", "static_pointer_cast", "dynamic_pointer_cast", "getline"),
         }
     ),
     "rclcpp": frozenset(

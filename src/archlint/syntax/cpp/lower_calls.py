@@ -220,6 +220,7 @@ class CallLowering(MethodLowering):
     def _function_call(self, parts: list[Part], function: Node, arguments: Node, span: Span) -> Expr:
         parts = self.names.written(parts)
         path, last = self.names.path(parts), parts[-1]
+        path = path or (self.standard_algorithm(last.name, arguments) if len(parts) == 1 else "")
         if path:
             return self._library_call(path, last, arguments, span)
         if last.name in ("make_shared", "make_unique") and len(parts) > 1:

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from archlint.syntax.cpp.names import Part
     from archlint.syntax.facts import Expr, Span
 
-_PUTS = frozenset({"insert", "emplace", "try_emplace", "insert_or_assign", "push", "push_front", "emplace_front"})
+_PUTS = frozenset(
+    {"assign", "insert", "emplace", "try_emplace", "insert_or_assign", "push", "push_front", "emplace_front"}
+)
 """Methods that put something into a container, other than at its end."""
 _PUTS_AT_END = frozenset({"push_back", "emplace_back"})
 _OF_TEXTS = {"starts_with": "startswith", "ends_with": "endswith"}
@@ -30,6 +32,8 @@ class MethodLowering(ObjectLowering):
 
     def standard_method(self, value: Expr, name: str, values: Sequence[Expr], span: Span) -> Expr | None:
         """A call of a method that containers, texts or optional values have; None for any other."""
+        if name in ("assign", "insert") and (whole := _whole(values[-2:])) is not None:
+            values = [*values[:-2], whole]
         if (name in _PUTS and values) or (name in _PUTS_AT_END and len(values) > 1):
             listed = given([value, facts.Literal(name, span), *values])
             return facts.Call(self.names.library(PUT, span), listed, span)
@@ -60,6 +64,8 @@ class MethodLowering(ObjectLowering):
             target = self.lower(self._begun(nodes[changed]) or nodes[changed])
             if is_target(target):
                 self.write(target, facts.Opaque("a text that is changed in place", span), span)
+        if path in ("std.swap", "std.exchange") and len(nodes) == 2:
+            return self._swapped(path, self.lower(nodes[0]), self.lower(nodes[1]), span)
         container = self._begun(nodes[0]) if nodes else None
         if path.startswith("std.ranges.") and nodes:
             container = nodes[0]
@@ -77,6 +83,26 @@ class MethodLowering(ObjectLowering):
             result = facts.Call(self.names.library(PUT, span), listed, span)
         self.before.append(facts.For(item, items, [facts.Expression(result, span)], [], False, span))
         return facts.Opaque(path, span)
+
+    def _swapped(self, path: str, first: Expr, second: Expr, span: Span) -> Expr | None:
+        """``std::swap(first, second)``, and ``std::exchange(first, second)``, which gives the first back."""
+        if not is_target(first) or (path == "std.swap" and not is_target(second)):
+            return None
+        if path == "std.exchange":
+            self.write(first, second, span)
+            return facts.Opaque("what a variable held before", span)
+        self.note_assigned(second)
+        self.write(facts.Sequence("tuple", [first, second], span), facts.Sequence("tuple", [second, first], span), span)
+        self.note_assigned(first)
+        return facts.Opaque(path, span)
+
+    def standard_algorithm(self, name: str, arguments: Node) -> str:
+        """The path of an algorithm that is called by its name alone: the compiler finds it by the iterators that it is
+        given.  Empty for any other function."""
+        nodes = [argument for argument in arguments.named_children if argument.type != "comment"]
+        is_given = bool(nodes) and (self._begun(nodes[0]) is not None or any(map(self._inserted_into, nodes[1:])))
+        known = name in ("for_each", "transform", "copy", "copy_if") or f"std.{name}" in CHANGING
+        return f"std.{name}" if known and is_given and not self.names.is_variable(name) else ""
 
     def _inserted_into(self, node: Node) -> Node | None:
         """The container of ``std::back_inserter(names)``."""
@@ -114,6 +140,27 @@ class MethodLowering(ObjectLowering):
         kind = self.kind_of_items(parts[-1]) if parts else []
         if kind and self.is_class(kind):
             self.names.item_kinds[name] = kind
+
+
+def _whole(values: Sequence[Expr]) -> Expr | None:
+    """The container of ``names.begin(), names.end()``."""
+    match values:
+        case [facts.Call(func=facts.Attribute() as begin), facts.Call(func=facts.Attribute() as end)]:
+            is_whole = begin.attr in ("begin", "cbegin") and end.attr in ("end", "cend")
+            return begin.value if is_whole and _is_same(begin.value, end.value) else None
+    return None
+
+
+def _is_same(first: Expr, second: Expr) -> bool:
+    """Whether two expressions are the same variable."""
+    match first, second:
+        case facts.Name(id=name), facts.Name(id=other):
+            return name == other
+        case facts.Implicit(name=name), facts.Implicit(name=other):
+            return name == other
+        case facts.Attribute(attr=name), facts.Attribute(attr=other):
+            return name == other and _is_same(first.value, second.value)
+    return False
 
 
 __all__ = ["MethodLowering"]

@@ -37,8 +37,8 @@ class StatementLowering(TextLowering):
     def __init__(self, source: SourceText, names: Names) -> None:
         super().__init__(source, names)
         self._nesting = 0
-        self._changed: set[str] = set()
-        """The texts that are changed in place, in the loop around."""
+        self._changed: set[str] | None = None
+        """The texts that are changed in place, in the loop around; None outside of any."""
         self._statements: dict[str, StatementKind] = {
             "compound_statement": self._inner_statements,
             "ERROR": self._inner_statements,
@@ -128,25 +128,15 @@ class StatementLowering(TextLowering):
             case _ if (written := self.written_text(value, span)) is not None:
                 body.append(written)
             case "binary_expression" if self.operator(value) == ">>":
-                self._read_into(value, body)
+                self.read_into(value, body)
             case _ if (changed := self.changed_text(value)) is not None:
-                unknown = facts.Opaque("a text that is changed in place", span)
-                self._changed.add(changed)
-                body.append(facts.Assign([facts.Name(changed, span)], unknown, span))
+                if self._changed is not None:
+                    self._changed.add(changed)
+                body.append(self.change(changed, value, span, in_loop=self._changed is not None))
             case _ if not self._is_logging(value) and not self.streamed(value, span, body):
                 lowered = self.lower(value)
                 if not isinstance(lowered, (facts.Literal, facts.Opaque, facts.Name, facts.Implicit)):
                     body.append(facts.Expression(lowered, span))
-
-    def _read_into(self, node: Node, body: list[Stmt]) -> None:
-        """``stream >> first >> second``: what stands in them now comes from outside."""
-        before = node.child_by_field_name("left")
-        if before is not None and before.type == "binary_expression":
-            self._read_into(before, body)
-        target, span = self.lower_field(node, "right"), self.source.span(node)
-        self.note_assigned(target)
-        if is_target(target):
-            body.append(facts.Assign([target], facts.Opaque("what is read from a stream", span), span))
 
     def _is_logging(self, node: Node) -> bool:
         """Whether a call does nothing but log."""
@@ -228,7 +218,9 @@ class StatementLowering(TextLowering):
 
     def _do(self, node: Node, body: list[Stmt]) -> None:
         span = self.source.span(node)
+        outer, self._changed = self._changed, set()
         inner = self._block_of(node.child_by_field_name("body"))
+        self._changed = outer
         test = self.lower_field(node, "condition")
         leave = facts.If(facts.Unary("not", test, span), [facts.Jump("break", span)], [], span)
         body.append(facts.While(facts.Literal(True, span), [*inner, leave], [], span))

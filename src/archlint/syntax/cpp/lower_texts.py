@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp.lower_declarations import DeclarationLowering
-from archlint.syntax.cpp.lower_expressions import is_target
+from archlint.syntax.cpp.lower_expressions import given, is_target
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -37,6 +37,10 @@ class TextLowering(DeclarationLowering):
         if method:
             is_added = method in ("append", "push_back") and len(nodes) == 1 and self.names.is_text(name)
             return facts.Augmented(facts.Name(name, span), "+", self.lower(nodes[0]), span) if is_added else None
+        if self.source.text(called).removeprefix("std::") in ("strcpy", "strncpy") and len(nodes) > 1:
+            target = self.lower(nodes[0])
+            self.note_assigned(target)
+            return facts.Assign([target], self.lower(nodes[1]), span) if is_target(target) else None
         first = _PRINTS.get(self.source.text(called))
         if first is None or len(nodes) <= first:
             return None
@@ -57,6 +61,29 @@ class TextLowering(DeclarationLowering):
         is_fold = node.type == "fold_expression" and node.named_children
         name = self.source.text(node.named_children[0]) if is_fold else ""
         return name if self.names.is_stream(name) else None
+
+    def change(self, name: str, node: Node, span: Span, in_loop: bool) -> Stmt:
+        """The statement that changes such a variable."""
+        listed = node.child_by_field_name("arguments")
+        nodes = [] if listed is None else [child for child in listed.named_children if child.type != "comment"]
+        method = self._method_called(node)[1]
+        value: facts.Expr = facts.Opaque("a text that is changed in place", span)
+        if not in_loop and method and self.names.is_text(name):
+            called = facts.Attribute(facts.Name(name, span), method, span)
+            return facts.Expression(facts.Call(called, given(self.lower_all(nodes)), span), span)
+        if not in_loop and method == "str" and len(nodes) == 1:
+            value = self.lower(nodes[0])
+        return facts.Assign([facts.Name(name, span)], value, span)
+
+    def read_into(self, node: Node, body: list[Stmt]) -> None:
+        """``stream >> first >> second``: what stands in them now comes from outside."""
+        before = node.child_by_field_name("left")
+        if before is not None and before.type == "binary_expression":
+            self.read_into(before, body)
+        target, span = self.lower_field(node, "right"), self.source.span(node)
+        self.note_assigned(target)
+        if is_target(target):
+            body.append(facts.Assign([target], facts.Opaque("what is read from a stream", span), span))
 
     def _method_called(self, node: Node) -> tuple[str, str]:
         """What a method is called of and its name, as they are written; two empty texts for anything else."""

@@ -1,0 +1,126 @@
+"""Texts and containers of C++ that a call changes in place."""
+
+from __future__ import annotations
+
+import pytest
+from tests.cpp_nodes import graph, graph_of
+
+STRING = "std_msgs::msg::String"
+FIELD = """
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+%s
+class Robot : public rclcpp::Node {
+public:
+  Robot() : Node("robot") { %s create_publisher<std_msgs::msg::String>(topic_, 1); }
+private:
+  std::string topic_ = "scan";
+  std::vector<std::string> more_{"a"};
+};
+"""
+
+
+def names(statements: str) -> list[str | None]:
+    """What a node publishes whose constructor does this."""
+    [node] = graph_of(statements)
+    return sorted(end["name"] or "?" for end in node["publishers"])
+
+
+def of_field(statements: str, before: str = "") -> list[str | None]:
+    """What a node publishes that does this to a field, whose type its method does not see."""
+    [node] = graph({"src/robot.cpp": FIELD % (before, statements)})["nodes"]
+    return [end["name"] for end in node["publishers"]]
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ('append("/raw")', "/scan/raw"),
+        ("push_back('s')", "/scans"),
+        ('assign("map")', "/map"),
+        ('insert(0, "arm/")', "/arm/scan"),
+        ("pop_back()", "/sca"),
+        ("erase(0, 1)", "/can"),
+        ("erase(2)", "/sc"),
+        ('replace(0, 1, "z")', None),
+        ('insert(2, "z")', None),
+        ('append("z", 1)', None),
+        ("resize(2)", None),
+        ("swap(other)", None),
+    ],
+)
+def test_a_text_is_changed(change: str, name: str | None) -> None:
+    assert of_field(f"topic_.{change};") == [name]
+    local = f'std::string topic = "scan"; topic.{change}; create_publisher<{STRING}>(topic, 1);'
+    assert names(local) == [name or "?"]
+
+
+def test_a_text_that_a_loop_changes_is_not_known() -> None:
+    assert of_field("while (std::rand() > 5) { topic_.pop_back(); }") != ["/scan"]
+    loops = ("while (topic.back() == 'n') { topic.pop_back(); }", "do { topic.pop_back(); } while (std::rand() > 5);")
+    for loop in loops:
+        made = f'std::string topic = "scan"; {loop} create_publisher<{STRING}>(topic, 1);'
+        assert names(made) == ["?"]
+
+
+def test_a_text_that_is_one_of_two() -> None:
+    assert of_field('if (std::rand() > 5) { topic_ = "map"; } topic_.append("/raw");') == ["/map/raw", "/scan/raw"]
+    assert of_field('if (std::rand() > 5) { topic_ = "map"; } topic_.insert(0, "x/");') == ["/x/map", "/x/scan"]
+
+
+def test_a_text_of_the_file() -> None:
+    before = 'std::string base = "base"; void extend() { base.append("/arm"); }'
+    assert of_field("extend(); topic_ = base;", before) == ["/base/arm"]
+
+
+def test_a_stream_is_given_another_text() -> None:
+    made = 'std::stringstream text; text << "a"; text.str(""); text << "b" << 1;'
+    assert names(f"{made} create_publisher<{STRING}>(text.str(), 1);") == ["/b1"]
+
+
+@pytest.mark.parametrize(
+    ("changed", "name"),
+    [
+        ("std::swap(first, second);", "/b"),
+        ('std::exchange(first, "c");', "/c"),
+        ("first.swap(second);", "?"),
+    ],
+)
+def test_variables_are_exchanged(changed: str, name: str) -> None:
+    assert names(f'std::string first = "a", second = "b"; {changed} create_publisher<{STRING}>(first, 1);') == [name]
+
+
+def test_a_text_is_copied_into_an_array() -> None:
+    made = 'char name[20] = "a"; std::strcpy(name, "b"); char other[20]; strncpy(other, "c", sizeof(other));'
+    assert names(f"{made} create_publisher<{STRING}>(name, 1); create_publisher<{STRING}>(other, 1);") == ["/b", "/c"]
+
+
+@pytest.mark.parametrize(
+    "filled",
+    [
+        'std::vector<std::string> more{"a", "b"}, all; all.insert(all.end(), more.begin(), more.end());',
+        'std::vector<std::string> more{"a", "b"}, all{"c"}; all.assign(more.cbegin(), more.cend());',
+        'std::vector<std::string> more{"a", "b"}, all; copy(more.begin(), more.end(), back_inserter(all));',
+    ],
+)
+def test_the_items_of_another_container_are_put_into_one(filled: str) -> None:
+    assert names(f"{filled} for (const auto & name : all) {{ create_publisher<{STRING}>(name, 1); }}") == ["/a", "/b"]
+
+
+@pytest.mark.parametrize(
+    "filled",
+    [
+        "copy(std::istream_iterator<std::string>(given), std::istream_iterator<std::string>(), back_inserter(all));",
+        'boost::split(all, given, boost::is_any_of(","));',
+        "fill(all);",
+        "all.assign(given.begin(), given.begin() + 2);",
+    ],
+)
+def test_a_container_that_something_else_fills_may_hold_anything(filled: str) -> None:
+    made = f"std::vector<std::string> all; {filled} if (!all.empty()) {{ create_publisher<{STRING}>(all[0], 1); }}"
+    assert names(made) == ["?"]
+
+
+def test_a_container_that_has_items_keeps_them() -> None:
+    made = 'std::vector<std::string> all{"a"}; RCLCPP_INFO(get_logger(), "%zu", all.size()); show(all);'
+    assert names(f"{made} for (const auto & name : all) {{ create_publisher<{STRING}>(name, 1); }}") == ["/a"]
