@@ -243,6 +243,20 @@ OUTCOMES = {
             goal_handle.abort()
         return Fibonacci.Result()
     """,
+    "a try around nothing but the outcome": """
+        try:
+            self.step()
+            goal_handle.succeed()
+        except RuntimeError:
+            try:
+                if not goal_handle.is_cancel_requested:
+                    goal_handle.abort()
+                else:
+                    goal_handle.canceled()
+            except Exception:
+                pass
+        return Fibonacci.Result()
+    """,
     "a name of ROS 1, at which it fails": "self.server.set_succeeded([])\nreturn Fibonacci.Result()",
 }
 
@@ -264,6 +278,7 @@ def test_a_goal_with_an_outcome_on_every_path(run: Run, body: str):
         "try:\n    self.go()\nexcept RuntimeError:\n    return Fibonacci.Result()\n"
         "goal_handle.succeed()\nreturn Fibonacci.Result()",
         "if self.ready:\n    self.server.set_succeeded([])\nreturn Fibonacci.Result()",
+        "try:\n    self.go()\n    goal_handle.succeed()\nexcept Exception:\n    pass\nreturn Fibonacci.Result()",
         "ready = self.go()\nif ready:\n    goal_handle.succeed()\nready = self.go()\n"
         "if not ready:\n    goal_handle.abort()\nreturn Fibonacci.Result()",
     ],

@@ -94,7 +94,7 @@ def _undecided(system: System, callback: Callback, function: facts.Function) -> 
 
     if _may_be_ended_and_raise(function, goal):
         return
-    ends = graph_of(function.body).ends((False, NOTHING), step, branch)
+    ends = graph_of(function.body).ends((False, NOTHING), step, branch, lambda fact: not _works(fact, goal))
     undecided = [end for end, states in ends.returns if any(not decided for decided, _ in states)]
     for end in {id(end): end for end in undecided}.values():
         yield HandlerEnd(callback, Place.of(callback.file, end.span), "return")
@@ -143,6 +143,19 @@ def _decides(fact: facts.Base, goal: _Goal) -> bool:
     if any(attribute.attr in _DECIDES and dotted(attribute.value) in goal.names for attribute in attributes):
         return True
     return bool(goal.refused) and any(Place.of(goal.file, call.span) in goal.refused for call in calls_in(fact))
+
+
+def _works(fact: facts.Base, goal: _Goal) -> bool:
+    """Whether a statement only ends the goal or reads something of it.  If that raises, the goal has an outcome
+    already or none can be given to it: no line of the callback mends what a ``try`` around it catches."""
+    match fact:
+        case facts.Expression(value=inner) | facts.Unary(op="not", operand=inner):
+            return _works(inner, goal)
+        case facts.Call(func=facts.Attribute(attr=name, value=of), args=[]):
+            return name in _ENDS and dotted(of) in goal.names
+        case facts.Attribute(value=of):
+            return dotted(of) in goal.names
+    return False
 
 
 def _passes_on(fact: facts.Base, goal: _Goal) -> bool:

@@ -232,11 +232,13 @@ class Graph:
         start: State,
         step: Callable[[State, facts.Base], State],
         branch: Callable[[State, facts.Expr, bool], State | None] | None = None,
+        raises: Callable[[facts.Base], bool] | None = None,
     ) -> dict[Block, frozenset[State]]:
         """The states in which each block may begin: a forward analysis to its fixed point.
 
         ``step`` gives the state after what a block evaluates, ``branch`` that after a condition which has come out so,
-        None where it cannot in that state.  What raises may have had its effect or not.
+        None where it cannot in that state.  What raises may have had its effect or not; ``raises`` says whether what a
+        block evaluates can, anything by default.
         """
         entry_states: dict[Block, frozenset[State]] = {self.entry: frozenset({start})}
         waiting = deque([self.entry])
@@ -246,6 +248,8 @@ class Graph:
             fact = block.fact
             after = before if fact is None else frozenset(step(state, fact) for state in before)
             for edge in block.edges:
+                if edge.kind is Kind.RAISE and raises is not None and not _may_raise(block, raises):
+                    continue
                 if edge.kind is Kind.RAISE:
                     states = before if block.leaves else before | after
                 else:
@@ -261,11 +265,17 @@ class Graph:
         start: State,
         step: Callable[[State, facts.Base], State],
         branch: Callable[[State, facts.Expr, bool], State | None] | None = None,
+        raises: Callable[[facts.Base], bool] | None = None,
     ) -> Ends[State]:
         """The states in which it can end, other than by an exception; as :meth:`states`."""
-        entry_states = self.states(start, step, branch)
+        entry_states = self.states(start, step, branch, raises)
         returns = [(end, entry_states[block]) for end, block in self.returns if block in entry_states]
         return Ends(returns, entry_states.get(self.end, frozenset()))
+
+
+def _may_raise(block: Block, raises: Callable[[facts.Base], bool]) -> bool:
+    """Whether something of a block may raise: a ``try`` that only begins evaluates nothing."""
+    return not isinstance(block.statement, facts.Try) if block.fact is None else raises(block.fact)
 
 
 def _entering(
