@@ -41,6 +41,7 @@ from archlint.finding import Finding
 from archlint.libraries.api_signatures import attributes_of, signatures_of
 from archlint.model import Misuse, RefusedCall
 from archlint.python_code.given_to_libraries import may_have
+from archlint.python_code.logged_values import logged_values
 from archlint.python_code.logger_calls import GET_LOGGER, LOGGER, refused_logger_calls
 from archlint.python_code.object_members import CalledProperty
 from archlint.ros.distros import DISTROS
@@ -57,7 +58,7 @@ _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 @rule("API001", scope=Scope.CODE, by_program=True)
 def refused_call(system: System, options: Options) -> Iterator[Finding]:
     """Calls that rclpy, message_filters or tf2_ros refuse, and operators between times that rclpy does."""
-    loggers = [] if system.workspace is None else refused_logger_calls(system.workspace)
+    loggers = [] if system.workspace is None else [*refused_logger_calls(system.workspace), *logged_values(system)]
     judged = list(judged_refusals(system))
     unported = functions_of_rospy(judged)
     for call in (*judged, *loggers):

@@ -41,7 +41,7 @@ def used_value_findings(system: System) -> Iterator[Finding]:
     if system.workspace is not None:
         for row in uses_of_nothing(system.workspace):
             yield from unless_uncalled(system, _nothing(row))
-        for sum_ in text_sums(system.workspace):
+        for sum_ in text_sums(system):
             yield from unless_uncalled(system, _text(sum_))
         for parameter in wrong_parameters(system.workspace):
             yield from unless_uncalled(system, _parameter(parameter))

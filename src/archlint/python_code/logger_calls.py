@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 LOGGER = "rclpy.logging.RcutilsLogger"
 GET_LOGGER = "rclpy.node.Node.get_logger"
-_LEVELS = frozenset({"info", "warn", "warning", "error", "fatal"})
+LEVELS = frozenset({"info", "warn", "warning", "error", "fatal"})
 """Not ``debug``: nobody sees it by default, and what is not logged is not looked at."""
 _KEYWORDS = frozenset({"message", "name", "once", "skip_first", "throttle_duration_sec", "throttle_time_source_type"})
 
@@ -34,9 +34,14 @@ _REFUSALS = frozenset({"AttributeError", "TypeError"})
 """What an ``except`` names that is there for a call that is refused."""
 
 
+def has_own_loggers(workspace: WorkspaceIndex) -> bool:
+    """Whether a class of the workspace has a method ``get_logger`` of its own."""
+    return any(_has_own_loggers(workspace, path) is not False for path in files_with(workspace, "get_logger"))
+
+
 def refused_logger_calls(workspace: WorkspaceIndex) -> Iterator[RefusedCall]:
     """Every such call in the files that use rclpy; none where the workspace has loggers of its own."""
-    if any(_has_own_loggers(workspace, path) is not False for path in files_with(workspace, "get_logger")):
+    if has_own_loggers(workspace):
         return
     for file, _ in workspace.code.judged():
         if not workspace.roles.is_test(file.relative) and workspace.code.mentions(file.relative, "get_logger"):
@@ -96,12 +101,12 @@ _OPTIONS = {"throttle": "throttle_duration_sec=…", "once": "once=True", "skip_
 
 def absent_of_loggers(workspace: WorkspaceIndex) -> Iterator[AbsentOfLogger]:
     """What code calls loggers for that they do not have; nothing where the workspace has loggers of its own."""
-    if any(_has_own_loggers(workspace, path) is not False for path in files_with(workspace, "get_logger")):
+    if has_own_loggers(workspace):
         return
     for path in workspace.python_files(mentioning="get_logger"):
         for name, span in _absent(workspace, path) or ():
             level, _, how = name.partition("_")
-            if how in _OPTIONS and level in _LEVELS | {"debug"}:
+            if how in _OPTIONS and level in LEVELS | {"debug"}:
                 method = "warning" if level == "warn" else level
                 yield AbsentOfLogger(Place(path, *span), name, method, _OPTIONS[how])
                 continue
@@ -111,7 +116,7 @@ def absent_of_loggers(workspace: WorkspaceIndex) -> Iterator[AbsentOfLogger]:
 
 @kept_for_each_file
 def _absent(file_facts: facts.Facts) -> list[tuple[str, facts.Span]]:
-    code = _Code(file_facts)
+    code = Loggers(file_facts)
     calls = [*everything_in(file_facts.body, facts.Call)] if code.uses_rclpy else []
     if not all(_is_of_node(call.func) for call in calls):
         return []  # other libraries have loggers, too
@@ -146,16 +151,16 @@ class _Refusal:
 
 @kept_for_each_file
 def _refused(file_facts: facts.Facts) -> list[_Refusal]:
-    code = _Code(file_facts)
+    code = Loggers(file_facts)
     calls = everything_in(file_facts.body, facts.Call) if code.uses_rclpy else ()
-    refusals = (code.refusal(call) for call in calls if call.func.attribute in _LEVELS)
+    refusals = (code.refusal(call) for call in calls if call.func.attribute in LEVELS)
     return [refusal for refusal in refusals if refusal is not None]
 
 
 @kept_for_each_file
 def _given_to_node(file_facts: facts.Facts) -> list[facts.Span]:
     """The calls ``self.get_logger('failed')`` in classes of nodes: the method takes nothing."""
-    code = _Code(file_facts)
+    code = Loggers(file_facts)
     nodes = [
         cls
         for cls in (classes_of(file_facts) if code.uses_rclpy else ())
@@ -165,7 +170,7 @@ def _given_to_node(file_facts: facts.Facts) -> list[facts.Span]:
     return [call.span for call in calls if call.func.dotted == "self.get_logger" and call.args]
 
 
-class _Code:
+class Loggers:
     """What one file says of its names: those of modules, of loggers, and of exceptions in the handlers of these."""
 
     def __init__(self, file_facts: facts.Facts) -> None:
@@ -272,4 +277,13 @@ def _is_call(value: facts.Expr | None) -> bool:
     return False
 
 
-__all__ = ["GET_LOGGER", "LOGGER", "AbsentOfLogger", "absent_of_loggers", "refused_logger_calls"]
+__all__ = [
+    "GET_LOGGER",
+    "LEVELS",
+    "LOGGER",
+    "AbsentOfLogger",
+    "Loggers",
+    "absent_of_loggers",
+    "has_own_loggers",
+    "refused_logger_calls",
+]

@@ -24,17 +24,23 @@ def given_to_others(file_facts: facts.Facts) -> frozenset[str]:
     return frozenset(names)
 
 
-def _fields_given(file_facts: facts.Facts) -> frozenset[Itself[facts.Base]]:
-    """The targets ``message.header.frame_id`` where ``message`` is only ever what a class of messages makes."""
-    classes = {
+@once_for
+def imported_messages(file_facts: facts.Facts) -> dict[str, str]:
+    """What a file calls the classes of messages, services and actions that it imports, and their dotted names."""
+    return {
         bound: f"{statement.module}.{name}"
         for statement in everything_in(file_facts.body, facts.ImportFrom)
         if not statement.level and statement.module.endswith((".msg", ".srv", ".action"))
         for name, bound in statement.names
     }
+
+
+def _fields_given(file_facts: facts.Facts) -> frozenset[Itself[facts.Base]]:
+    """The targets ``message.header.frame_id`` where ``message`` is only ever what a class of messages makes."""
+    classes = imported_messages(file_facts)
     rows: set[Itself[facts.Base]] = set()
     for function in everything_in(file_facts.body, facts.Function) if classes else ():
-        variables = _of_messages(function, classes)
+        variables = variables_of_messages(function, classes)
         targets = targets_of(function.body) if variables else ()
         rows.update(Itself[facts.Base](target) for target in targets if _root(target) in variables)
     return frozenset(rows)
@@ -52,9 +58,9 @@ def fields_set(file_facts: facts.Facts, module: str, name: str) -> set[str]:
         if imported == name
     }
     calls = everything_in(file_facts.body, facts.Call) if classes else ()
-    given = {argument.keyword for call in calls if _is_made(call, classes) for argument in call.args}
+    given = {argument.keyword for call in calls if makes_message(call, classes) for argument in call.args}
     for function in everything_in(file_facts.body, facts.Function) if classes else ():
-        variables = _of_messages(function, classes)
+        variables = variables_of_messages(function, classes)
         given.update(_first_attribute(target) for target in targets_of(function.body) if _root(target) in variables)
     return {field for field in given if field}
 
@@ -66,12 +72,12 @@ def _first_attribute(target: facts.Base) -> str:
     return target.attr if isinstance(target, facts.Attribute) else ""
 
 
-def _of_messages(function: facts.Function, classes: dict[str, str]) -> set[str]:
+def variables_of_messages(function: facts.Function, classes: dict[str, str]) -> set[str]:
     """The variables of a function that are assigned nothing else."""
     times = Counter(
         part.targets[0].variable
         for part in parts_of(function.body, facts.Assign)
-        if len(part.targets) == 1 and part.targets[0].variable and _is_made(part.value, classes)
+        if len(part.targets) == 1 and part.targets[0].variable and makes_message(part.value, classes)
     )
     bound = Counter(target.variable for target in targets_of(function.body))
     others = {param.name for param in everything_in(function, facts.Param)}
@@ -79,8 +85,8 @@ def _of_messages(function: facts.Function, classes: dict[str, str]) -> set[str]:
     return {name for name, count in times.items() if name and bound[name] == count and name not in others}
 
 
-def _is_made(value: facts.Expr, classes: dict[str, str]) -> bool:
-    """Whether an expression is ``Twist()``, or ``Trigger.Request()``."""
+def makes_message(value: facts.Expr, classes: dict[str, str]) -> bool:
+    """Whether an expression is ``Twist()``, or ``Trigger.Request()``, of such classes."""
     match value:
         case facts.Call(func=function):
             name, dot, part = function.dotted.partition(".")
@@ -98,4 +104,4 @@ def _root(target: facts.Base) -> str:
     return ""
 
 
-__all__ = ["fields_set", "given_to_others"]
+__all__ = ["fields_set", "given_to_others", "imported_messages", "makes_message", "variables_of_messages"]

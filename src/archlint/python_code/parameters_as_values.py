@@ -63,8 +63,21 @@ def parameter_uses(system: System) -> Iterator[ParameterUse]:
         return
     for path in workspace.python_files(mentioning="rclpy"):
         rows = [row for row in _of_file(workspace, path) if _is_of_node(workspace, path, row.cls)]
-        if rows and not any(is_defined_somewhere(system, path, name) for name in _GIVE_PARAMETERS):
+        if rows and not _has_own_parameters(system, path):
             yield from (ParameterUse(row.outcome, row.by, Place(path, *row.span)) for row in rows)
+
+
+def _has_own_parameters(system: System, file: str) -> bool:
+    """Whether code that a file may use defines a method by the name of one that gives parameters."""
+    return any(is_defined_somewhere(system, file, name) for name in _GIVE_PARAMETERS)
+
+
+def gives_parameters(system: System, cls: ClassInFile) -> bool:
+    """Whether what ``self`` has by the names of methods that give parameters is certainly rclpy's."""
+    workspace = system.workspace
+    if workspace is None or _has_own_parameters(system, cls.file):
+        return False
+    return not NODE_CLASSES.isdisjoint(chain_of(workspace, cls).foreign) and _is_of_node(workspace, cls.file, cls.code)
 
 
 def _is_of_node(workspace: WorkspaceIndex, file: str, cls: facts.Class | None) -> bool:
@@ -156,4 +169,4 @@ def _is_compared(left: facts.Expr, right: facts.Expr, is_left: bool, is_right: b
     return is_left != is_right and isinstance(other, facts.Literal) and other.value is not None
 
 
-__all__ = ["Outcome", "ParameterUse", "parameter_uses"]
+__all__ = ["Outcome", "ParameterUse", "gives_parameters", "parameter_uses"]
