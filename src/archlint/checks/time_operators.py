@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
+from archlint.python_code.clocks_of_times import MixedClocks, mixed_clocks
 from archlint.python_code.numbers_for_times import NumberForTime, numbers_for_times
 from archlint.python_code.time_operators import Kind, RefusedOperator, refused_operators
 
@@ -22,6 +23,18 @@ def time_operator_findings(system: System) -> Iterator[Finding]:
     if system.workspace is not None:
         yield from map(_finding, refused_operators(system.workspace))
         yield from map(_of_number, numbers_for_times(system.workspace))
+        yield from map(_of_clocks, mixed_clocks(system.workspace))
+
+
+def _of_clocks(row: MixedClocks) -> Finding:
+    return finding(
+        "API001",
+        row.place,
+        f"'{row.op}' fails with a TypeError: a Time of {row.left} on its left, one of {row.right} on its right",
+        help="take both of one clock: Time(…, clock_type=ClockType.ROS_TIME) is like what the node's clock gives",
+        identity=(row.op, row.left, row.right),
+        group=(row.place.file, OPERATOR, row.op, row.left, row.right),
+    )
 
 
 def _of_number(row: NumberForTime) -> Finding:
