@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.interpreter import containers, refusals
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.calls import call
+from archlint.interpreter.objects.methods import PUTS
 from archlint.interpreter.values import (
     ClassValue,
     Entries,
@@ -34,6 +35,9 @@ def evaluate_call(machine: Machine, e: facts.Call) -> Value:
     function = machine.evaluate(e.func)
     machine.library.coroutines_started(function, e)
     site = call_site(machine, e)
+    match e.func:
+        case facts.Attribute(value=facts.Attribute() as container, attr=name) if name in PUTS:
+            machine.library.put_into(container, name, site)
     if machine.activation.module.file.kind != "cpp":  # whose compiler has checked all of its calls
         refused = refusals.check_call(machine, function, site, e)
         if refused is not None:

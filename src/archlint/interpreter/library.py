@@ -198,6 +198,9 @@ class Library:
     def written(self, value: Value, name: str, span: facts.Span, content: Value) -> None:
         """The code writes ``value.name = content``."""
 
+    def put_into(self, container: facts.Attribute, method: str, site: CallSite) -> None:
+        """The code calls a method by the name of one that puts something into a container, of what an attribute has."""
+
     def undecided(self, branch: Branch, test: Value) -> None:
         """Nothing decides the test of a branch."""
 

@@ -190,6 +190,9 @@ class RosLibrary(Library):
         message_uses.note_use(self.run, value, name, span, "write")
         field_values.note_value(self.run, value, name, span, content)
 
+    def put_into(self, container: facts.Attribute, method: str, site: CallSite) -> None:
+        field_values.note_put(self.run, container, method, site)
+
     def undecided(self, branch: Branch, test: Value) -> None:
         self.run.note_open_test(branch, test)
 

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
     from archlint.interpreter.machine import Machine
 
-_PUTS = frozenset({"append", "add", "extend", "insert", "update", "setdefault", "appendleft", "extendleft"})
+PUTS = frozenset({"append", "add", "extend", "insert", "update", "setdefault", "appendleft", "extendleft"})
+"""Methods that put what they are given into a container."""
 _ASKS = frozenset({"index", "count", "remove", "discard"})
 
 
@@ -32,7 +33,7 @@ def call_method(machine: Machine, target: Value, name: str, site: CallSite) -> V
 
 def _of_container(machine: Machine, target: ListValue | DictValue, name: str, site: CallSite) -> Value:
     given = site.values
-    if name in _PUTS:
+    if name in PUTS:
         machine.library.kept(target.key, given)
     if isinstance(target, ListValue):
         result = lists.call(machine, target, name, site) or Unknown(f"{target.kind}.{name}() is not followed")
@@ -40,8 +41,8 @@ def _of_container(machine: Machine, target: ListValue | DictValue, name: str, si
         result = dicts.call(machine, target, name, site) or Unknown(f"dict.{name}() is not followed")
     if name in _ASKS:
         return result
-    inside = () if name in _PUTS else (target,)
+    inside = () if name in PUTS else (target,)
     return machine.library.lost(result, (*given, *inside), f"{name}() of a container has it")
 
 
-__all__ = ["call_method"]
+__all__ = ["PUTS", "call_method"]

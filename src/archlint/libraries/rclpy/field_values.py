@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.values import Known
+from archlint.interpreter.values import Instance, Known
 from archlint.libraries.rclpy.message_uses import is_certain, may_be_of_another_type
-from archlint.libraries.rclpy.messages import of_value
-from archlint.libraries.rclpy.wrong_values import Misfit, misfit, misfit_of_argument
+from archlint.libraries.rclpy.messages import content as content_of
+from archlint.libraries.rclpy.messages import known_content, of_value
+from archlint.libraries.rclpy.wrong_values import Misfit, misfit, misfit_of_argument, misfit_of_item
+from archlint.libraries.values import MessageValue
 from archlint.model import ValueEffect, WrongValue
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.finding import Place
+    from archlint.interpreter.call_site import CallSite
     from archlint.interpreter.values import Value
     from archlint.libraries.run import Run
-    from archlint.libraries.values import MessageValue
     from archlint.syntax.facts import Span
 
 _BY_POSITION = Misfit("its fields by name", "an argument without a name", ValueEffect.SET, "write the field's name")
@@ -44,6 +46,47 @@ def _is_argument(run: Run, content: Value) -> bool:
     if not isinstance(content, Known) or content.via or not isinstance(content.value, (int, float)):
         return False
     return any(run.lookup(param.name) is content for param in function.params)
+
+
+_PUT_AT = {"append": 0, "insert": 1}
+"""Methods that put one value into a list, and which argument that is."""
+
+
+def note_put(run: Run, container: facts.Attribute, method: str, site: CallSite) -> None:
+    """Note that the code puts into the array of a field what this never takes: ``path.poses.append(Pose())``."""
+    message = _named(run, container.value)
+    if not isinstance(message, MessageValue) or site.expression is None or run.interfaces is None:
+        return
+    kind = run.interfaces.field_type(message.type, message.section_name, container.attr)
+    if kind is None or not kind.array or kind.array == "fixed" or site.keywords or site.open or not _is_certain(run):
+        return
+    at = _PUT_AT.get(method)
+    if at is not None and len(site.args) == at + 1:
+        wrong = misfit_of_item(run, kind, site.args[at])
+    elif method == "extend" and len(site.args) == 1:
+        wrong = misfit(run, kind, site.args[0])
+        wrong = wrong if wrong is not None and wrong.of_items else None
+    else:
+        return
+    wrong = None if may_be_of_another_type(run, message) else wrong
+    _keep(run, message, container.attr, site.expression.span, wrong)
+
+
+def _named(run: Run, e: facts.Expr) -> Value | None:
+    """What is known of a variable, of an attribute of an object in one, or of a field of a message: without running
+    anything."""
+    match e:
+        case facts.Name(id=name):
+            found = run.lookup(name)
+        case facts.Attribute(value=inner, attr=name):
+            owner = _named(run, inner)
+            if isinstance(owner, MessageValue):
+                found = known_content(run, owner, name) or content_of(run, owner, name)
+            else:
+                found = run.store.get(owner.key, name) if isinstance(owner, Instance) else None
+        case _:
+            return None
+    return None if found is None else of_value(found) or (found if isinstance(found, Instance) else None)
 
 
 def note_positional(run: Run, message: MessageValue, span: Span) -> None:
@@ -94,4 +137,4 @@ def _wrong_value(
     )
 
 
-__all__ = ["note_positional", "note_value"]
+__all__ = ["note_positional", "note_put", "note_value"]

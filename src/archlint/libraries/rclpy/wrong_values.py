@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import (
     BoundMethod,
+    ClassValue,
     DictValue,
     EachValue,
     External,
@@ -188,7 +189,17 @@ def _of_message(run: Run, kind: FieldType, value: Value, shape: _Shape) -> Misfi
             return None
         effect = ValueEffect.NONE if _has_fields_of(run, value, kind.name) else ValueEffect.SENT
         return _wrong(f"a {kind.name}", shape, effect, f"assign a {kind.name}")
-    return _wrong(f"a {kind.name}", shape, ValueEffect.SENT, f"assign a {kind.name}")
+    alike = isinstance(value, Instance) and _is_like(run, value, kind.name)
+    return _wrong(f"a {kind.name}", shape, ValueEffect.NONE if alike else ValueEffect.SENT, f"assign a {kind.name}")
+
+
+def _is_like(run: Run, value: Instance, wanted: str) -> bool:
+    """Whether an object may have all fields of a message: then it is sent as one, but by humble."""
+    assert run.interfaces is not None
+    section, cls = run.interfaces.section(wanted, ""), value.own_class
+    if section is None or cls is None:
+        return True
+    return all(run.store.get(value.key, name) or cls.lookup(run, name)[0] for name in (f.name for f in section.fields))
 
 
 def _has_fields_of(run: Run, value: MessageValue, wanted: str) -> bool:
@@ -225,14 +236,19 @@ def _of_list(run: Run, kind: FieldType, value: Value) -> Misfit | None:
     if kind.array == "fixed" and numeric and items.size != kind.size:
         given = _Shape(_What.LIST, f"{items.size} value{'' if items.size == 1 else 's'}")
         return _wrong(_many(kind), given, ValueEffect.CHANGED, f"give it {kind.size} values")
-    element = FieldType(kind.name)
-    wrong = [(item, fault) for item in items.values if (fault := misfit(run, element, item)) is not None]
-    if not wrong:
+    wrong = [fault for item in items.values if (fault := misfit_of_item(run, kind, item)) is not None]
+    by_gravity = sorted(wrong, key=lambda fault: fault.effect is ValueEffect.NONE)
+    return by_gravity[0] if by_gravity else None
+
+
+def misfit_of_item(run: Run, kind: FieldType, item: Value) -> Misfit | None:
+    """Why an array does not take a value among others."""
+    fault = misfit(run, FieldType(kind.name), item)
+    if fault is None:
         return None
-    by_gravity = sorted(wrong, key=lambda row: _effect_in_array(kind, *row) is ValueEffect.NONE)
-    item, fault = by_gravity[0]
     effect = _effect_in_array(kind, item, fault)
-    return Misfit(_many(kind), f"{fault.given} in a list", effect, fault.cure, of_items=True)
+    cure = fault.cure if kind.is_primitive else f"put a {kind.name} into it"
+    return Misfit(_many(kind), f"{fault.given} in a list", effect, cure, of_items=True)
 
 
 def _effect_in_array(kind: FieldType, item: Value, fault: Misfit) -> ValueEffect:
@@ -291,6 +307,8 @@ def _shape_of(value: Value) -> _Shape | None:
             return _Shape(_What.DICT, "a dict")
         case MessageValue(type=type_, section_name=part):
             return _Shape(_What.MESSAGE, f"a {type_}.{part}" if part else f"a {type_}")
+        case Instance(cls=ClassValue() as cls):
+            return _of_own_class(value, cls)
         case FutureValue():
             return _Shape(_What.OBJECT, "a future", "wait for its result")
         case EntityValue() | NodeValue():
@@ -298,6 +316,21 @@ def _shape_of(value: Value) -> _Shape | None:
         case FunctionValue() | BoundMethod(function=FunctionValue()):
             return _Shape(_What.OBJECT, "a function", "call it: add ()")
     return None
+
+
+_PLAIN = frozenset({"object", "builtins.object", "abc.ABC"})
+_ENUM = frozenset({"enum.Enum"})
+
+
+def _of_own_class(value: Instance, cls: ClassValue) -> _Shape | None:
+    """What is known of an object of a class of the workspace: one that derives from nothing else is no text and no
+    number."""
+    bases = {base.dotted for base in cls.mro if not isinstance(base, ClassValue)}
+    if cls.other_bases or cls.metaclass is not None or not bases <= _PLAIN | (_ENUM if value.is_member else set()):
+        return None
+    if value.is_member:
+        return _Shape(_What.OBJECT, "a member of an enum", "add .value")
+    return _Shape(_What.OBJECT, f"an object of class {cls.ir.name}")
 
 
 def _of_constant(value: Known) -> _Shape | None:
@@ -318,4 +351,4 @@ def _wrong(wanted: str, shape: _Shape, effect: ValueEffect, cure: str) -> Misfit
     return Misfit(wanted, shape.words, effect, shape.cure or cure)
 
 
-__all__ = ["Misfit", "misfit", "misfit_of_argument"]
+__all__ = ["Misfit", "misfit", "misfit_of_argument", "misfit_of_item"]
