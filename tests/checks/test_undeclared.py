@@ -870,6 +870,32 @@ def test_a_package_that_the_build_needs_and_that_is_declared_to_run(lint: Lint):
     assert one.sites is None  # a <depend> beside the <exec_depend> would be refused
 
 
+LINT = "if(BUILD_TESTING)\nfind_package(ament_lint_auto REQUIRED)\nendif()"
+
+
+@pytest.mark.parametrize(
+    ("find", "lines"),
+    [
+        ("find_package(std_srvs REQUIRED)", "<depend>std_srvs</depend> and <test_depend>ament_lint_auto</test_depend>"),
+        (
+            "find_package(std_srvs REQUIRED)\nfind_package(rclcpp REQUIRED)",
+            "a line like <depend>rclcpp</depend> for rclcpp, std_srvs, and <test_depend>ament_lint_auto</test_depend>",
+        ),
+    ],
+)
+def test_each_kind_of_dependency_has_its_line(lint: Lint, find: str, lines: str):
+    (told,) = lint(built(f"{LINT}\n{find}"))
+    assert told.help == f"add {lines} to package.xml"
+
+
+def test_format_1_has_a_line_for_the_build_and_one_for_running(lint: Lint):
+    files = built("find_package(std_srvs REQUIRED)")
+    files["package.xml"] = files["package.xml"].replace('format="3"', 'format="1"')
+    (told,) = lint(files)
+    assert told.help == "add <build_depend>std_srvs</build_depend> and <run_depend>std_srvs</run_depend> to package.xml"
+    assert added(told) == "  <build_depend>std_srvs</build_depend>\n  <run_depend>std_srvs</run_depend>\n"
+
+
 def test_what_is_declared_to_run_beside_what_is_not_declared(lint: Lint):
     find = f"{FIND_OTHER}\nfind_package(rclcpp REQUIRED)\nfind_package(std_srvs REQUIRED)"
     (told,) = lint(with_other(find, *depends("arm_msgs", tag="exec_depend")))
@@ -1184,7 +1210,8 @@ PART = "from launch import LaunchDescription\n\ndef generate_launch_description(
     [
         ("secret_ros", "which its package.xml does not declare"),  # not checked out: it may be in there
         ("ros-secret-driver", "which its package.xml does not declare"),  # it has the name of the package in its own
-        ("ros-secret-talk", "neither in this workspace nor released"),
+        ("ros_secret", "which its package.xml does not declare"),  # it has the word with which that begins
+        ("ros-hidden-driver", "neither in this workspace nor released"),
         ("hidden_ros", "neither in this workspace nor released"),
         ("talk", "neither in this workspace nor released"),  # checked out, and it is not there
     ],
@@ -1194,6 +1221,27 @@ def test_a_package_that_a_submodule_may_bring(lint: Lint, submodule: str, said: 
     (found,) = lint(launching(started("secret_driver")) | {".gitmodules": modules})
     assert said in found.message
     assert found.message.startswith("package 'talk' starts a node of 'secret_driver', which ")
+
+
+@pytest.mark.parametrize(
+    ("declared", "said"),
+    [
+        ("fast_local_planner", "which its package.xml does not declare"),  # of which nothing is known
+        ("fast_global_planner", "neither in this workspace nor released"),
+    ],
+)
+def test_a_package_with_the_initials_of_an_unknown_one(lint: Lint, declared: str, said: str):
+    files = launching(started("flp_ros"))
+    files["talk/package.xml"] = manifest("talk", *depends("rclpy", "launch_ros", declared))
+    (found,) = lint(files)
+    assert said in found.message
+
+
+def test_a_package_whose_folder_is_empty(lint: Lint, tmp_path: Path):
+    """That of a submodule which no .gitmodules names: git keeps no empty folder."""
+    (tmp_path / "secret_driver").mkdir()
+    (found,) = lint(launching(started("secret_driver")))
+    assert found.message == "package 'talk' starts a node of 'secret_driver', which its package.xml does not declare"
 
 
 @pytest.mark.parametrize(("parameters", "told"), [("my_package", 0), ("talk", 1)])

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_disused, is_not_installed
 from archlint.checks.dependency_uses import How, Use
 from archlint.checks.registry import finding
-from archlint.connections.parts_elsewhere import is_fetched, may_be_in_a_submodule
+from archlint.connections.parts_elsewhere import is_fetched, may_be_in_a_submodule, may_come_with_another
 from archlint.finding import Finding, Related
 from archlint.packaging.absent_packages import is_from_nowhere, is_told_as_another, is_untouched_template
 from archlint.packaging.missing_imports import missing_imports
@@ -38,6 +38,7 @@ def strangers(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]) 
         and not is_told_as_another(workspace, name)
         and not is_fetched(workspace, name)
         and not may_be_in_a_submodule(workspace, name)
+        and not may_come_with_another(workspace, name)
     ]
     told = _told_lines(workspace) if names else set()
     rows = {name: [use for use in by_name[name] if (use.place.file, use.place.line) not in told] for name in names}

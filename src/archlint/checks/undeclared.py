@@ -16,7 +16,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.strangers import strangers
 from archlint.checks.unknown_dependencies import names_meant
-from archlint.connections.parts_elsewhere import is_fetched, may_be_in_a_submodule
+from archlint.connections.parts_elsewhere import is_fetched, may_be_in_a_submodule, may_come_with_another
 from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
 from archlint.packaging.skipped_packages import skipped_packages
@@ -56,11 +56,16 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
 
 
 def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
-    """Whether a package is known: of this workspace, of ROS, in a ``.repos`` file, perhaps in a
-    submodule that is not checked out, or to another manifest here.  Of a
-    name that is nowhere nobody knows what to declare, and rosdep stops at it."""
+    """Whether a package is known: of this workspace, of ROS, in a ``.repos`` file, perhaps in a submodule that is not
+    checked out, or to another manifest here.  Of a name that is nowhere nobody knows what to declare, and rosdep stops
+    at it."""
     known = name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
-    return known or is_fetched(workspace, name) or may_be_in_a_submodule(workspace, name)
+    return (
+        known
+        or is_fetched(workspace, name)
+        or may_be_in_a_submodule(workspace, name)
+        or may_come_with_another(workspace, name)
+    )
 
 
 def _spare(workspace: WorkspaceIndex, file: str) -> int:
@@ -170,12 +175,23 @@ def _help(workspace: WorkspaceIndex, package: Package, by_needed: Mapping[str, S
         rest = "" if len(to_run) == 1 else f", and so for {', '.join(to_run[1:_NAMED])}"
         cures.append(f"write <depend>{to_run[0]}</depend> instead of its <exec_depend>{later}{rest}")
     if others:
-        tag = _tag(package, by_needed[others[0]])
-        line = f"<{tag}>{others[0]}</{tag}>"
-        cures.append(
-            f"add {line} to {manifest}" if len(others) == 1 else f"add a line like {line} for each to {manifest}"
-        )
+        cures.append(f"add {_lines(package, by_needed, others)} to {manifest}")
     return "; ".join(cures)
+
+
+def _lines(package: Package, by_needed: Mapping[str, Sequence[Use]], names: Sequence[str]) -> str:
+    """What to add to a manifest, one example for all that are declared in the same way."""
+    alike: dict[tuple[str, ...], list[str]] = {}
+    for name in names:
+        alike.setdefault(_tags(package, by_needed[name]), []).append(name)
+    parts = []
+    for tags, own in sorted(alike.items(), key=lambda row: row[0] == ("test_depend",)):
+        line = " and ".join(f"<{tag}>{own[0]}</{tag}>" for tag in tags)
+        like = f"{'a line' if len(tags) == 1 else 'lines'} like {line} for "
+        more = f" and {len(own) - _NAMED} more" if len(own) > _NAMED else ""
+        each = "each" if len(alike) == 1 else ", ".join(own[:_NAMED]) + more
+        parts.append(line if len(own) == 1 else like + each)
+    return (" and " if all(len(own) == len(tags) == 1 for tags, own in alike.items()) else ", and ").join(parts)
 
 
 def _related(by_needed: Mapping[str, Sequence[Use]]) -> Iterator[Related]:
@@ -234,16 +250,19 @@ _OF_THE_BUILD = re.compile(r"ament_|rosidl_default_generators$|rosidl_generator_
 """The packages that are tools of a build."""
 
 
-def _tag(package: Package, uses: Sequence[Use]) -> str:
-    """How a dependency is called in the format of a package.xml, by what needs it."""
+def _tags(package: Package, uses: Sequence[Use]) -> tuple[str, ...]:
+    """How a dependency is called in the format of a package.xml, by what needs it.  In format 1 nothing says that it is
+    for the build and for running."""
     ways = {use.how for use in uses}
     if ways <= {"tests with", "builds its tests with"}:
-        return "test_depend"
+        return ("test_depend",)
     if ways == {"builds with"} and _OF_THE_BUILD.match(uses[0].needed):
-        return "buildtool_depend"
-    if not ways.isdisjoint(BUILDS):
-        return "build_depend" if package.format == 1 else "depend"
-    return "run_depend" if package.format == 1 else "exec_depend"
+        return ("buildtool_depend",)
+    if package.format > 1:
+        return ("exec_depend",) if ways.isdisjoint(BUILDS) else ("depend",)
+    there = {f"{d.kind}_depend" for d in package.dependencies if d.name == uses[0].needed}
+    tags = ("run_depend",) if ways.isdisjoint(BUILDS) else ("build_depend", "run_depend")
+    return tuple(tag for tag in tags if tag not in there) or tags
 
 
 def _sites(workspace: WorkspaceIndex, package: Package, by_needed: Mapping[str, Sequence[Use]]) -> Sites | None:
@@ -259,9 +278,9 @@ def _sites(workspace: WorkspaceIndex, package: Package, by_needed: Mapping[str, 
     names = tuple(name for name in names if not here or name not in skipped_packages(workspace))
     if not names:
         return None
-    tags = {name: _tag(package, by_needed[name]) for name in names}
+    tags = {name: _tags(package, by_needed[name]) for name in names}
     rows = (
-        MissingDependencies(package.manifest.relative, tag, tuple(name for name in names if tags[name] == tag))
-        for tag in dict.fromkeys(tags.values())
+        MissingDependencies(package.manifest.relative, tag, tuple(name for name in names if tag in tags[name]))
+        for tag in dict.fromkeys(tag for own in tags.values() for tag in own)
     )
     return Sites(dependencies=tuple(rows))

@@ -31,13 +31,31 @@ def has_parts_elsewhere(workspace: WorkspaceIndex) -> bool:
 
 
 def _depends_on_absent(workspace: WorkspaceIndex) -> bool:
+    return bool(_absent_dependencies(workspace))
+
+
+@once
+def _absent_dependencies(workspace: WorkspaceIndex) -> tuple[str, ...]:
     known = (packages.table().names, workspace.packages.keys(), rosdep.keys())
-    return any(
-        condition_holds(dependency.condition) and not any(dependency.name in names for names in known)
+    return tuple(
+        dependency.name
         for package in workspace.manifests.values()
         for dependency in package.dependencies
-        if not package.ros1
+        if not package.ros1 and condition_holds(dependency.condition)
+        if not any(dependency.name in names for names in known)
     )
+
+
+def may_come_with_another(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether a package.xml declares a package of which nothing is known whose initials are the word that a package
+    begins with: ``fast_local_planner`` may bring ``flp_ros``."""
+    first = re.split(r"[_-]", package.lower())[0]
+    absent = _absent_dependencies(workspace)
+    return len(first) >= _SHORT and any(first == _initials(name) for name in absent)
+
+
+def _initials(name: str) -> str:
+    return "".join(word[0] for word in re.split(r"[_-]", name.lower()) if word)
 
 
 def _listed(workspace: WorkspaceIndex) -> Iterator[bool]:
@@ -64,10 +82,13 @@ def is_fetched(workspace: WorkspaceIndex, package: str) -> bool:
 
 
 def may_be_in_a_submodule(workspace: WorkspaceIndex, package: str) -> bool:
-    """Whether a git submodule that is not checked out begins with the word that a package does: ``arm_ros`` may bring
-    ``arm_description``.  Or whether its name has that of the package in it: ``ros-imu-bno`` brings ``imu_bno``."""
+    """Whether the name of a git submodule that is not checked out has the word with which that of a package begins:
+    ``arm_ros`` may bring ``arm_description``, and so may ``acme_arm``.  Or whether it has the whole name of the package
+    in it: ``ros-imu-bno`` brings ``imu_bno``.  One that no ``.gitmodules`` names is an empty folder."""
     first, *others = words = re.split(r"[_-]", package.lower())
     absent = _absent_submodules(workspace)
+    if any(workspace.tree.is_folder(posixpath.join(parent, package)) for parent in _parents_of_packages(workspace)):
+        return True
     if others and any(_has_in_a_row(re.split(r"[_-]", name.lower()), words) for name in absent):
         return True
     return len(first) > _SHORT and any(first in _submodule_words(name) for name in absent)
@@ -80,10 +101,21 @@ def _has_in_a_row(words: list[str], wanted: list[str]) -> bool:
 _SHORT = 3
 _COMMON = frozenset({"robot", "ros2", "robots"})
 """First words that packages of very different robots have."""
+_THEMES = _COMMON | {
+    *("common", "control", "controller", "description", "driver", "drivers", "image", "interfaces", "launch", "lidar"),
+    *("messages", "moveit", "msgs", "navigation", "sensor", "serial", "simulation"),
+}
+"""Words that say in the middle of a name what a package is about."""
 
 
 def _submodule_words(name: str) -> set[str]:
-    return {re.split(r"[_-]", name.lower())[0]} - _COMMON
+    first, *others = re.split(r"[_-]", name.lower())
+    return ({first} - _COMMON) | ({*others} - _THEMES)
+
+
+@once
+def _parents_of_packages(workspace: WorkspaceIndex) -> tuple[str, ...]:
+    return tuple(sorted({posixpath.dirname(folder) for folder in workspace.manifests if folder}))
 
 
 @once
@@ -102,4 +134,4 @@ def _name(path: str) -> str:
     return posixpath.basename(path.rstrip("/"))
 
 
-__all__ = ["has_parts_elsewhere", "is_fetched", "may_be_in_a_submodule"]
+__all__ = ["has_parts_elsewhere", "is_fetched", "may_be_in_a_submodule", "may_come_with_another"]
