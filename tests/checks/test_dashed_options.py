@@ -69,6 +69,10 @@ def test_underscores_and_other_tools(findings, text):
         ({"install/setup.sh": 'COLCON_CURRENT_PREFIX="/opt/ros/foxy"\n'}, 0),
         ({"README.md": "Now for Humble.", "install/setup.sh": 'COLCON_CURRENT_PREFIX="/opt/ros/foxy"\n'}, 1),
         ({"install/setup.sh": 'COLCON_CURRENT_PREFIX="/opt/ros/humble"\n'}, 1),
+        ({"bin/start.sh": "source /opt/ros/foxy/setup.bash\nros2 run robot talker\n"}, 0),
+        ({"bin/start.sh": "source /opt/ros/foxy/setup.bash\n", "README.md": "Now for Humble."}, 1),
+        ({"bin/start.sh": "source /opt/ros/humble/setup.bash\n"}, 1),
+        ({"Dockerfile.robot": "FROM ros:foxy\n"}, 0),
     ],
 )
 def test_a_workspace_on_ubuntu_20_04(findings, files, told):

@@ -10,7 +10,7 @@ from archlint.analysis.kept import once
 from archlint.ros.distros import DISTROS, UBUNTU
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.tree import Tree
@@ -29,6 +29,8 @@ BUILT_FILES = ("install/setup.sh",)
 """What colcon writes at the top of a workspace, where it is kept with the sources: it names what it was built with."""
 PINNING_FOLDERS = (".github/workflows", ".devcontainer", "docker", "Docker", "DOCKER")
 _READ = re.compile(r"(?:^|/)(?:[^/]*\.ya?ml|[^/]*[Dd]ockerfile[^/]*|devcontainer\.json)$")
+_CONTAINER = re.compile(r"[Dd]ockerfile\.[^/]+")
+"""``Dockerfile.robot``, at the top."""
 _OLDER = frozenset({"dashing", "eloquent", "foxy", "galactic"})
 _OTHERS = (*sorted(_OLDER), "iron", "noetic", "melodic")
 _NAMED = re.compile(rf"(?<![A-Za-z0-9])({'|'.join((*DISTROS, *_OTHERS))})(?![A-Za-z0-9])", re.IGNORECASE)
@@ -51,8 +53,8 @@ def is_for_older_ros(workspace: WorkspaceIndex | None) -> bool:
 
 
 def is_from_before_galactic(workspace: WorkspaceIndex | None) -> bool:
-    """Whether a workspace is for such a distribution, by its files or, where they say nothing, by its README and by
-    what it was last built with, which name one, and none that came later."""
+    """Whether a workspace is for such a distribution, by its files or, where they say nothing, by its README, by what
+    it was last built with and by the scripts that start it, which name one, and none that came later."""
     return workspace is not None and _is_among(
         _named_or_told(workspace), _BEFORE_GALACTIC, but_not=("galactic", *_SINCE_HUMBLE)
     )
@@ -90,11 +92,11 @@ def ubuntu_releases(workspace: WorkspaceIndex) -> frozenset[str]:
 
 
 def may_be_on_focal(workspace: WorkspaceIndex) -> bool:
-    """Whether a README or the last build of a workspace names such a distribution, beside others or not, and its files
+    """Whether a README, the last build or a script of a workspace names such a distribution, beside others or not, and its files
     name none that came later."""
     if not _OLDER.isdisjoint(named_distros(workspace)):
         return True
-    told = _in_readmes(workspace) | _built_with(workspace)
+    told = _told(workspace)
     return named_distros(workspace).isdisjoint(_SINCE_HUMBLE) and not told.isdisjoint(_OLDER)
 
 
@@ -111,17 +113,34 @@ def _is_among(named: frozenset[str], distros: frozenset[str], *, but_not: Sequen
 
 
 def _named_or_told(workspace: WorkspaceIndex) -> frozenset[str]:
-    """The distributions that the files of a workspace name or, where they name none, its README and its last build."""
-    return named_distros(workspace) or _in_readmes(workspace) | _built_with(workspace)
+    """The distributions that the files of a workspace name or, where they name none, its README, its last build and
+    the scripts that start it."""
+    return named_distros(workspace) or _told(workspace)
 
 
+def _told(workspace: WorkspaceIndex) -> frozenset[str]:
+    return _in_readmes(workspace) | _built_with(workspace) | _started_with(workspace)
+
+
+_SCRIPTS = (".sh", ".bash", ".zsh", ".service")
 _SOURCED = re.compile(r"/opt/ros/([a-z]+)")
 
 
 @once
 def _built_with(workspace: WorkspaceIndex) -> frozenset[str]:
+    top = workspace.tree.top
+    return _sourced_in(workspace, (posixpath.normpath(f"{top}/{name}") for name in BUILT_FILES))
+
+
+@once
+def _started_with(workspace: WorkspaceIndex) -> frozenset[str]:
     tree = workspace.tree
-    texts = (tree.text(posixpath.normpath(f"{tree.top}/{name}")) or "" for name in BUILT_FILES)
+    return _sourced_in(workspace, (path for path in tree.files_below(tree.top) if path.endswith(_SCRIPTS)))
+
+
+def _sourced_in(workspace: WorkspaceIndex, paths: Iterable[str]) -> frozenset[str]:
+    """The distributions whose setup files some scripts run."""
+    texts = (workspace.tree.text(path) or "" for path in paths)
     return frozenset(match[1] for text in texts for match in _SOURCED.finditer(text))
 
 
@@ -158,6 +177,8 @@ def _texts(tree: Tree) -> Iterator[str]:
         [posixpath.normpath(f"{tree.top}/{name}") for name in names] for names in (PINNING_FOLDERS, PINNING_FILES)
     )
     below = [path for folder in folders for path in tree.files_below(folder) if _READ.search(path)]
+    named = (path for path in tree.files_below(tree.top) if _CONTAINER.fullmatch(posixpath.basename(path)))
+    below += [path for path in named if (posixpath.dirname(path) or ".") == posixpath.normpath(tree.top)]
     for path in (*below, *files):
         text = tree.text(path)
         if text is not None:
