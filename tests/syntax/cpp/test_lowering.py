@@ -434,3 +434,9 @@ def test_a_profile_of_rmw_that_is_written_out() -> None:
         "p = copy.copy(rmw_qos_profile_sensor_data)"
     )
     assert in_a_method("rmw_qos_profile_t p{a, b};") == "p = <a profile>"
+
+
+@pytest.mark.parametrize("space", ["{}", "namespace robot {{ {} }}"])
+def test_a_function_whose_head_a_macro_writes_does_not_run_with_the_file(space: str) -> None:
+    test_case = 'TEST_CASE("it turns", "[motor]")  // of Catch2\n{ auto node = std::make_shared<Motor>(); }'
+    assert "def TEST_CASE():\n    node = Motor()" in in_python(space.format(test_case))

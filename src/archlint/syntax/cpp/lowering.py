@@ -16,7 +16,7 @@ from archlint.syntax.cpp.damage import problems_of
 from archlint.syntax.cpp.declared import declared
 from archlint.syntax.cpp.literals import number_of, text_of
 from archlint.syntax.cpp.lower_classes import ClassLowering
-from archlint.syntax.cpp.names import Names, unnamed
+from archlint.syntax.cpp.names import FunctionScope, Names, unnamed
 from archlint.syntax.cpp.parser import parse
 from archlint.syntax.cpp.source import SourceText
 from archlint.syntax.facts import FACTS_VERSION, Facts
@@ -61,6 +61,7 @@ class Lowering(ClassLowering):
     def __init__(self, source: SourceText, names: Names) -> None:
         super().__init__(source, names)
         self._statements |= {
+            "compound_statement": self._braces,
             "preproc_include": self._include,
             "preproc_def": self._define,
             "preproc_function_def": self.define_macro,
@@ -148,6 +149,20 @@ class Lowering(ClassLowering):
                         target = facts.Name(f"{space}::{name}", row.span)
                         yield facts.Assign([target], facts.Name(name, row.span), row.span)
 
+    def _braces(self, node: Node, body: list[Stmt]) -> None:
+        """Outside of functions, braces are the body of one whose head a macro writes, ``TEST_CASE("name") {…}``: nothing
+        of it runs with the file."""
+        head = _macro_in_front(node)
+        if head is None:
+            self._inner_statements(node, body)
+            return
+        with self.names.function(FunctionScope(None)) as scope:
+            inner = self.block(node.named_children)
+            of_file = sorted(scope.assigned - scope.variables)
+        span, name = self.source.span(node), self.source.text(head)
+        inner = [facts.Global("global", of_file), *inner] if of_file else inner
+        body.append(facts.Function(name, [], inner, [], None, False, False, span, self.source.span(head)))
+
     def _linkage(self, node: Node, body: list[Stmt]) -> None:
         block = node.child_by_field_name("body")
         if block is not None:
@@ -159,6 +174,18 @@ class Lowering(ClassLowering):
         self._template_parameters = self.template_parameters(node)
         body.extend(self.block(child for child in node.named_children if child != parameters))
         self._template_parameters = outer
+
+
+def _macro_in_front(node: Node) -> Node | None:
+    """The name of the macro whose call stands in front of braces outside of functions, with no semicolon between."""
+    before = node.prev_named_sibling
+    while before is not None and before.type == "comment":
+        before = before.prev_named_sibling
+    if node.parent is None or node.parent.type not in _HOLDERS or before is None or not before.children:
+        return None
+    call = before.children[0]
+    name = call.child_by_field_name("function") if call.type == "call_expression" else None
+    return name if name is not None and name.type == "identifier" and before.children[-1].is_missing else None
 
 
 def _is_member(node: Node) -> bool:
