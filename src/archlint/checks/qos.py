@@ -12,9 +12,11 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.connections.delivery import Undelivered, fits_any, fitting, policy_words, undelivered
+from archlint.connections.outside_publishers import undelivered_from_outside
 from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
+    from archlint.connections.outside_publishers import FromOutside
     from archlint.ros.qos import DurationPolicy, StrengthPolicy, Verdict
     from archlint.systems.model import System
 
@@ -54,6 +56,26 @@ def _mismatches(code: str, system: System, policies: set[DurationPolicy | Streng
                 against.setdefault((id(pair.request), verdict.policy), []).append((pair, verdict))
     for pairs in against.values():
         yield _mismatch(code, system, pairs)
+    for row in undelivered_from_outside(system):
+        for verdict in row.verdicts:
+            if verdict.policy in policies:
+                yield _from_outside(code, row, verdict)
+
+
+def _from_outside(code: str, row: FromOutside, verdict: Verdict) -> Finding:
+    user = row.request
+    offered, requested = policy_words(verdict, verdict.offered), policy_words(verdict, verdict.requested)
+    diagnostic = finding(
+        code,
+        user.place,
+        f"{user.node.name} requests {requested} on '{user.name}', but {row.publisher} offers {offered}: no message "
+        "arrives",
+        help=_AT_SUBSCRIPTION[verdict.policy],
+        node=user.node.name,
+        identity=(user.name or "", verdict.policy, row.publisher),
+        group=(row.publisher, verdict.policy, user.place.file, offered, requested, _OUTSIDE),
+    )
+    return replace(diagnostic, severity=min(diagnostic.severity, Severity.WARNING))
 
 
 def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]]) -> Finding:
@@ -96,6 +118,8 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
 def _at_the_publisher(findings: Sequence[Finding]) -> Finding:
     """The finding for a publisher that does not fit several subscriptions: one line of its own mends them all."""
     first, *others = findings
+    if first.group[-1] == _OUTSIDE:
+        return _at_the_subscriptions(findings)
     _, policy, topic, publisher, offered, requested, lost = first.group
     several = f"{len(findings)} subscriptions request {requested}"
     return replace(
@@ -107,6 +131,23 @@ def _at_the_publisher(findings: Sequence[Finding]) -> Finding:
     )
 
 
+def _at_the_subscriptions(findings: Sequence[Finding]) -> Finding:
+    """The finding for several subscriptions of a file to what one publishes outside."""
+    first = findings[0]
+    publisher, _, _, offered, requested, _ = first.group
+    others = {told.place: told for told in findings if told.place != first.place}.values()
+    if not others:
+        return first
+    topics = f"'{first.identity[0]}' and {len(others)} more topic{'s' if len(others) > 1 else ''}"
+    return replace(
+        first,
+        message=f"{first.node} requests {requested} on {topics}, but {publisher} offers {offered}: no message arrives",
+        related=(*first.related, *(Related(other.place, f"'{other.identity[0]}' is one of them") for other in others)),
+        identity=(*first.identity, *(other.identity[0] for other in others)),
+    )
+
+
+_OUTSIDE = "from outside"
 RELIABILITY = folds("QOS001", across_systems=True)(_at_the_publisher)
 DURABILITY = folds("QOS002", across_systems=True)(_at_the_publisher)
 DEADLINE = folds("QOS003", across_systems=True)(_at_the_publisher)
@@ -144,6 +185,14 @@ _ADVICE = {
     "liveliness": "let the publisher assert its liveliness by topic, or request automatic liveliness",
     "liveliness_lease": "let the publisher offer a lease no longer than the requested one, or request none",
 }
+_AT_SUBSCRIPTION = {
+    "reliability": "subscribe with best effort, as qos_profile_sensor_data does",
+    "durability": "subscribe with volatile durability",
+    "deadline": "request no deadline",
+    "liveliness": "request automatic liveliness",
+    "liveliness_lease": "request no lease",
+}
+"""What to write where the publisher is outside of the workspace."""
 _AT_PUBLISHER = {
     "reliability": "publish with reliable",
     "durability": "publish with transient local durability",
