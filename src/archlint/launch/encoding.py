@@ -24,7 +24,7 @@ from archlint.launch.mistakes import (
 from archlint.launch.model import DeclaredArgument, Gap, Included, Launched
 from archlint.launch.named_files import FileReference, Replacing, Rewriting, Written
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
-from archlint.launch.started import Remap, Started
+from archlint.launch.started import Bridged, Remap, Started
 from archlint.model import Text
 from archlint.model.encoding import Language
 from archlint.syntax.parameter_files import NotKnown
@@ -32,7 +32,7 @@ from archlint.syntax.parameter_files import NotKnown
 LAUNCHES: Final = Language(
     (FileKind, FileStatus, GapKind, StartedKind),
     (
-        *(Launched, Started, Remap, Included, DeclaredArgument, Gap, Place, Text),
+        *(Launched, Started, Bridged, Remap, Included, DeclaredArgument, Gap, Place, Text),
         *(ParameterSetting, ParameterFileUse, OpenParameters, FileReference, Rewriting, Replacing, Written),
         *(NotKnown, AbsentKey, LeakedArgument, NotACondition, NotAPath, RefusedValue, UndeclaredUse),
         *(UnknownAttribute, WithoutContext, MissingArguments, NotAChoice, IdleGroup, JoinedFolder),

@@ -21,6 +21,16 @@ class Remap:
     group: bool = False
 
 
+@dataclass(frozen=True)
+class Bridged:
+    """A topic that a bridge to a simulator publishes in ROS, subscribes to, or both."""
+
+    name: str
+    type: str
+    publishes: bool
+    subscribes: bool
+
+
 @dataclass(eq=False)
 class Started:
     """A process (or a component of one) that a launch file starts.
@@ -51,6 +61,8 @@ class Started:
     container: Text | None = None
     includes: tuple[Place, ...] = ()
     """The includes that lead to the file it is in, outermost first; for one that a helper makes, the helper's call."""
+    bridged: tuple[Bridged, ...] | None = None
+    """What the file says that a bridge reads; None where there is none, or it is not known."""
     without_namespace: bool = False
     """Whether a timer or an event starts it, when the group around it has ended, and with it the group's namespace."""
     domain: str | None = None

@@ -13,7 +13,7 @@ from archlint.model import Blueprint, Creation, EntityKind, ExecutorKind, Parame
 from archlint.ros import external_nodes
 from archlint.ros.distros import DISTROS
 from archlint.ros.qos import Qos
-from archlint.systems.bridged import BRIDGES, bridged_ends, is_told_all
+from archlint.systems.bridged import bridged_ends, is_bridge, is_told_all
 from archlint.systems.nodes import KnownExternal
 
 if TYPE_CHECKING:
@@ -68,12 +68,12 @@ def blueprint_of(row: ExternalNode, started: Started, distro: str | None) -> tup
         executor=ExecutorKind.UNKNOWN,
     )
     every = [*_ends_in(row.ends, asked, read)]
-    is_bridge = (row.package, started.executable.text) in BRIDGES
-    if is_bridge:
+    bridges = is_bridge(started)
+    if bridges:
         every += bridged_ends(started)
     blueprint.creations.extend(_creation(end, blueprint, started.place) for end in every)
     blueprint.parameters.extend(_declarations(row.parameters, blueprint, started.place, asked))
-    questions = () if is_bridge and is_told_all(started) else row.open
+    questions = () if bridges and is_told_all(started) else row.open
     reasons = [question.reason for question in questions if _is_in(question.distros, asked)]
     if not read:
         reasons.append(f"its source in {distro} was not read")

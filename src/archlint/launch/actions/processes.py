@@ -18,6 +18,7 @@ from archlint.launch.actions.included import launch_in_own_process
 from archlint.launch.actions.missing_arguments import note_missing_arguments
 from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.actions.scopes import remap
+from archlint.launch.bridges import bridged_in_file
 from archlint.launch.kinds import FileKind, StartedKind
 from archlint.launch.named_files import FileReference
 from archlint.launch.namespaces import absolute, prefix_namespace
@@ -96,6 +97,7 @@ def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started
     ]
     if entity.open:
         started.parameters.append(OpenParameters("arguments that are passed by **", run.place_now))
+    started.bridged = bridged_in_file(run, started)
     of_several = isinstance(entity.argument("arguments"), OneOf)
     with run.perhaps() if of_several else nullcontext():
         _note_files(run, started, words)
