@@ -92,8 +92,8 @@ def ubuntu_releases(workspace: WorkspaceIndex) -> frozenset[str]:
 
 
 def may_be_on_focal(workspace: WorkspaceIndex) -> bool:
-    """Whether a README, the last build or a script of a workspace names such a distribution, beside others or not, and its files
-    name none that came later."""
+    """Whether a README, the last build or a script of a workspace names such a distribution, beside others or not, and
+    its files name none that came later."""
     if not _OLDER.isdisjoint(named_distros(workspace)):
         return True
     told = _told(workspace)
