@@ -724,6 +724,15 @@ def test_a_share_folder_of_no_package_with_a_file_of_this_one(findings):
     assert findings("LCH004", line, **{"config/arm.launch.xml": "<launch/>"}, **fetched) == []
 
 
+def test_a_share_folder_of_a_package_with_more_files_than_the_one_here(findings):
+    """Packages that are made of one template have files of one name: a package with some of them was not meant."""
+    here = {"config/arm.launch.xml": "<launch/>"}
+    lines = "".join(include(f"$(find-pkg-share old_machine)/{path}") for path in (*here, "launch/hall.launch.xml"))
+    assert findings("LCH004", lines, **here) == []
+    (finding,) = findings("LCH004", lines, **here, **{"launch/hall.launch.xml": "<launch/>"})
+    assert finding.help == "write 'robot'"
+
+
 def test_a_share_folder_of_a_package_whose_programs_are_not_here(findings):
     """A driver that is built from source, with a parameter file of which there is a copy here."""
     here = {"config/arm.launch.xml": "<launch/>"}

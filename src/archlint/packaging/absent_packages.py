@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.cpp_nodes import CPP_SOURCES
 from archlint.analysis.kept import once, once_for_each_file
 from archlint.analysis.pinned import may_be_on_focal
+from archlint.launch.kinds import FileStatus
 from archlint.ros import packages
 from archlint.suggestions import distance, nearest
 from archlint.syntax import facts
@@ -120,7 +121,30 @@ def package_with(workspace: WorkspaceIndex, package: str, path: str, launch_file
         if (file := posixpath.normpath(posixpath.join(manifest.relative, path))) != launch_file
         and workspace.tree.is_file(file)
     ]
-    return _alone(workspace, package, having, launch_file)
+    alone = _alone(workspace, package, having, launch_file)
+    return alone if alone is not None and _has_all(workspace, alone, package) else None
+
+
+def _has_all(workspace: WorkspaceIndex, own: str, package: str) -> bool:
+    """Whether a package has all files that launch files look for in another one: what has only some of them is no other
+    name for it, as packages that are made of one template have files of one name."""
+    folder = workspace.packages[own].relative
+    return all(
+        workspace.tree.is_file(posixpath.normpath(posixpath.join(folder, path)))
+        for path in _looked_for(workspace).get(package, ())
+    )
+
+
+@once
+def _looked_for(workspace: WorkspaceIndex) -> dict[str, set[str]]:
+    """The files that launch files look for in packages which are not here, by their paths."""
+    paths: dict[str, set[str]] = {}
+    for launched in workspace.launched:
+        for reference in launched.references:
+            path = _BELOW.sub("", reference.written or "")
+            if reference.status == FileStatus.EXTERNAL and posixpath.splitext(path)[1]:
+                paths.setdefault(reference.package or "", set()).add(path)
+    return paths
 
 
 def package_that_installs(workspace: WorkspaceIndex, package: str, executable: str, launch_file: str) -> str | None:
