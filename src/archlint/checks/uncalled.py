@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.idle_helpers import is_idle_helper
+from archlint.analysis.kept_defaults import needs_another_default
 from archlint.analysis.left_over import is_named_nowhere
 from archlint.analysis.uncalled_methods import uncalled_main, uncalled_method
 from archlint.analysis.unmet_choices import is_never_chosen
@@ -23,14 +24,15 @@ if TYPE_CHECKING:
 
 def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
     """The same finding; none where the file is a program and nothing calls that method, or only such methods do, and
-    none behind a flag that stays false, or for a choice that is never made: it is left over, and nobody meets the
-    mistake.  In a lesson it is information then, with the advice to delete a method that nothing calls.  What a library
-    offers is for others to call, but for what a module without a word of ROS has and no file names."""
+    none behind a flag that stays false, for a choice that is never made, or for another value of a parameter than the
+    default that all calls leave it: it is left over, and nobody meets the mistake.  In a lesson it is information then,
+    with the advice to delete a method that nothing calls.  What a library offers is for others to call, but for what a
+    module without a word of ROS has and no file names."""
     name = uncalled_in_program(system, diagnostic.place)
     if is_idle_helper(system.workspace, diagnostic.place):
         return
     place, workspace = diagnostic.place, system.workspace
-    if name is None and (is_switched_off(workspace, place) or is_never_chosen(workspace, place)):
+    if name is None and any(never(workspace, place) for never in _NEVER_REACHED):
         if is_lesson(system):
             yield replace(diagnostic, severity=Severity.INFO)
     elif name is None or system.workspace is None:
@@ -42,6 +44,8 @@ def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
         yield replace(mild, help=f"delete {name}(), which nothing calls") if deletes else mild
 
 
+_NEVER_REACHED = (is_switched_off, is_never_chosen, needs_another_default)
+"""What may keep a function from getting to a place."""
 UNCALLED = "uncalled"
 """The group of findings about one method that nothing calls."""
 

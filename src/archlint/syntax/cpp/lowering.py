@@ -150,8 +150,8 @@ class Lowering(ClassLowering):
                         yield facts.Assign([target], facts.Name(name, row.span), row.span)
 
     def _braces(self, node: Node, body: list[Stmt]) -> None:
-        """Outside of functions, braces are the body of one whose head a macro writes, ``TEST_CASE("name") {…}``: nothing
-        of it runs with the file."""
+        """Outside of functions, braces are the body of one whose head a macro writes, ``TEST_CASE("name") {…}``:
+        nothing of it runs with the file."""
         head = _macro_in_front(node)
         if head is None:
             self._inner_statements(node, body)
