@@ -199,3 +199,53 @@ def test_a_group_of_settings_in_xml(findings):
     )
     assert (told.place.line, told.message[:40]) == (2, "nothing is in this group that SetLaunchC")
     assert (told.help or "").endswith('or write scoped="false"')
+
+
+@pytest.mark.parametrize(
+    ("element", "lacks"),
+    [
+        ('<node pkg="robot"/>', "this <node> lacks 'exec'"),
+        ("<include/>", "this <include> lacks 'file'"),
+        ('<let name="speed"/>', "this <let> lacks 'value'"),
+        ("<push_ros_namespace/>", "this <push_ros_namespace> lacks 'namespace'"),
+        ('<node pkg="robot" exec="talker"><remap from="chatter"/></node>', "this <remap> lacks 'to'"),
+        ('<group><node pkg="robot" exec="talker"/><set_remap/></group>', "this <set_remap> lacks 'from' and 'to'"),
+        (
+            '<include file="$(find-pkg-share robot)/launch/b.launch.xml"><arg name="speed"/></include>',
+            "this <arg> lacks 'value'",
+        ),
+    ],
+)
+def test_an_element_without_an_attribute_that_it_needs(findings, element: str, lacks: str):
+    files = {"launch/b.launch.xml": '<launch><node pkg="robot" exec="talker"/></launch>'}
+    (told,) = findings("LCH008", element, **files)
+    assert told.message == f"{lacks}, without which launch rejects this file"
+
+
+@pytest.mark.parametrize(
+    "element",
+    [
+        '<arg name="speed" default="1"/><node pkg="robot" exec="talker" args="$(var speed)"/>',
+        '<let name="speed" value=""/>',
+        '<node pkg="robot" exec="talker"><remap from="a" to="b"/><env name="A" value="1"/></node>',
+        '<node pkg="robot" type="talker"/>',  # LCH005 says what it is called
+        '<group><push_ros_namespace namespace="left"/><node pkg="robot" exec="talker"/></group>',
+        '<timer period="1.0"><node pkg="robot" exec="talker"/></timer>',
+    ],
+)
+def test_an_element_with_all_that_it_needs(findings, element: str):
+    assert findings("LCH008", element) == []
+
+
+@pytest.mark.parametrize(
+    ("push", "lacks"),
+    [("left", ["namespace"]), ("{namespace: left}", []), ("{namespace: $(env SIDE)}", []), ("{}", ["namespace"])],
+)
+def test_an_element_of_yaml_that_is_given_a_text(findings, push: str, lacks: list[str]):
+    text = (
+        "launch:\n- group:\n"
+        f"  - push_ros_namespace: {push}\n"
+        "  - node:\n      pkg: robot\n      exec: talker\n      remap:\n      - {from: chatter, to: talk}\n"
+    )
+    told = findings("LCH008", **{"launch/it.launch.xml": "<launch/>", "launch/a.launch.yaml": text})
+    assert [row.message.split("'")[1] for row in told] == lacks

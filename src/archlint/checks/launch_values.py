@@ -137,6 +137,11 @@ def _refused(value: RefusedValue) -> Finding:
 
 
 def _incomplete(call: MissingArguments) -> Finding:
+    if call.of_element:
+        wanted = " and ".join(f"'{name}'" for name in call.names)
+        message = f"this {call.action} lacks {wanted}, without which launch rejects this file"
+        file, identity = call.place.file, (call.action, *call.names)
+        return finding("LCH008", call.place, message, help=f"add {wanted}", identity=identity, group=(file, *identity))
     names = " and ".join(f"{name}=" for name in call.names)
     return finding(
         "LCH008",

@@ -138,11 +138,12 @@ class RefusedValue:
 
 @dataclass(frozen=True)
 class MissingArguments:
-    """A call that makes an action without the arguments ``names``, which it needs."""
+    """A call, or an element of XML or YAML, that makes an action without the arguments ``names``, which it needs."""
 
     action: str
     names: tuple[str, ...]
     place: Place
+    of_element: bool = False
 
 
 @dataclass(frozen=True)

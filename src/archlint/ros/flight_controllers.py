@@ -1,4 +1,4 @@
-"""What flight controllers publish, which run outside of every workspace: PX4 over DDS, and MAVROS, which speaks for one.
+"""What flight controllers publish, which run outside of every workspace: PX4, and MAVROS, which stands for one.
 
 Sources: PX4 v1.14 and later, ``src/modules/uxrce_dds_client/utilities.hpp`` (``create_data_writer``): each topic
 ``fmu/out/…`` is best effort and transient local; MAVROS 2, ``mavros/src/plugins/*.cpp``: what is created with

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
 from archlint.interpreter.values import Known, Unknown, Value
 from archlint.launch.frontends.objects import Frontend
 from archlint.launch.frontends.parameters import read_parameter, set_parameter
-from archlint.launch.frontends.tables import ATTRIBUTES, HARMLESS, NESTED
+from archlint.launch.frontends.tables import ATTRIBUTES, HARMLESS, NEEDED, NEEDED_BELOW, NEEDED_BY_INCLUDES, NESTED
 from archlint.launch.frontends.texts import shell_words
-from archlint.launch.mistakes import UnknownAttribute
+from archlint.launch.mistakes import MissingArguments, UnknownAttribute
 from archlint.launch.objects import PAIR_PLACE, LaunchObject
 from archlint.launch.tables import LaunchClass
 
@@ -49,6 +49,9 @@ def _condition(frontend: Frontend, element: Element, entity: LaunchObject) -> No
 
 
 def _check(frontend: Frontend, element: Element) -> None:
+    _check_needed(frontend, element, NEEDED)
+    for child in element.children:
+        _check_needed(frontend, child, NEEDED_BY_INCLUDES if element.tag == "include" else NEEDED_BELOW)
     action, nested = f"<{element.tag}>", NESTED.get(element.tag)
     for child in element.children:
         if nested is not None and child.tag not in nested:
@@ -62,6 +65,16 @@ def _check(frontend: Frontend, element: Element) -> None:
             frontend.run.note_unknown_attribute(
                 UnknownAttribute(action, name, tuple(known), frontend.place(attribute.span), True)
             )
+
+
+def _check_needed(frontend: Frontend, element: Element, needed: Mapping[str, tuple[str, ...]]) -> None:
+    """Note what an element lacks; where it has something that launch does not know, that is what was meant for it."""
+    names, known = needed.get(element.tag, ()), ATTRIBUTES.get(element.tag, ())
+    given = {*element.attributes, *(child.tag for child in element.children)}
+    missing = tuple(name for name in names if name not in given)
+    if missing and not any(name not in (*known, *names, "if", "unless") for name in element.attributes):
+        place = frontend.place(element.span)
+        frontend.run.note_incomplete(MissingArguments(f"<{element.tag}>", missing, place, of_element=True))
 
 
 def _node(frontend: Frontend, element: Element, kind: LaunchClass = LaunchClass.NODE) -> LaunchObject:

@@ -43,6 +43,36 @@ ATTRIBUTES: dict[str, list[str]] = {
     "timer": ["period"],
 }
 
+NEEDED: dict[str, tuple[str, ...]] = {
+    "node": ("pkg", "exec"),
+    "lifecycle_node": ("pkg", "exec", "name", "namespace"),
+    "node_container": ("pkg", "exec", "name", "namespace"),
+    "composable_node": ("pkg", "plugin"),
+    "load_composable_node": ("target",),
+    "include": ("file",),
+    "arg": ("name",),
+    "let": ("name", "value"),
+    "push_ros_namespace": ("namespace",),
+    "push-ros-namespace": ("namespace",),
+    "set_remap": ("from", "to"),
+    "set_parameter": ("name", "value"),
+    "set_env": ("name", "value"),
+    "unset_env": ("name",),
+    "timer": ("period",),
+    "executable": ("cmd",),
+}
+"""What launch reads of an element without a default.
+
+Source: the ``parse`` methods of launch and launch_ros, humble to rolling, which call ``entity.get_attr(name)``.
+"""
+NEEDED_BELOW: dict[str, tuple[str, ...]] = {
+    "remap": ("from", "to"),
+    "env": ("name", "value"),
+    "keep": ("name", "value"),
+}
+"""The same of elements inside of those that start a process, and of groups."""
+NEEDED_BY_INCLUDES: dict[str, tuple[str, ...]] = {"arg": ("name", "value"), "let": ("name", "value")}
+
 NESTED: dict[str, tuple[str, ...]] = {
     "node": ("param", "remap", "env"),
     "lifecycle_node": ("param", "remap", "env"),
