@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -105,6 +106,19 @@ def test_what_imports_a_module_that_the_screen_kept_is_kept_too(tmp_path):
     found = FactsOfFiles(NullStore(), lambda: WORDS)
     found.prepare([base, derived, other])
     assert [found.relevant(file) for file in (base, derived, other)] == [True, True, False]
+
+
+def test_what_imports_a_kept_module_from_a_folder_that_it_puts_on_the_path_is_kept_too(tmp_path):
+    """``sys.path.insert(0, …)`` and then the name below that folder, which only files of the same package can mean."""
+    for folder in ("cell/simulation", "cell/training", "elsewhere"):
+        (tmp_path / folder).mkdir(parents=True)
+    caller = "from simulation.world import World\nWorld('trainer')\n"
+    world = replace(source_file(tmp_path / "cell/simulation/world.py", NODE), package="cell")
+    train = replace(source_file(tmp_path / "cell/training/train.py", caller), package="cell")
+    other = replace(source_file(tmp_path / "elsewhere/train.py", caller), package="elsewhere")
+    found = FactsOfFiles(NullStore(), lambda: WORDS)
+    found.prepare([world, train, other])
+    assert [found.relevant(file) for file in (world, train, other)] == [True, True, False]
 
 
 def test_a_file_that_cannot_be_read_has_a_problem_and_is_tried_again(tmp_path, cache):

@@ -6,11 +6,10 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.monitor import Monitor
-from archlint.syntax import facts as model
 from archlint.syntax.cache import Stamp, digest_of
 from archlint.syntax.compile import Compiled, Language, compile_sources
-from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, Span, Stmt, decode, encode
-from archlint.syntax.imported_names import imported, included
+from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, Span, decode, encode
+from archlint.syntax.imported_names import imported, included, modules_of, names_of, targets_of
 from archlint.syntax.python import gate
 from archlint.syntax.walk import statements_of
 
@@ -100,7 +99,7 @@ class FactsOfFiles:
                 continue
             if file.kind == "launch_python" or file.path.endswith("setup.py"):
                 ahead[file.path] = file
-            for name in _names_of([file]):
+            for name in names_of([file]):
                 left.setdefault(name, []).append(file)
         names = self._fresh_imports
         while names:
@@ -113,34 +112,18 @@ class FactsOfFiles:
         """Take back what the screen left out but imports a module that it kept: a class derived from a node
         class elsewhere, or a caller of a helper, may hold none of the words itself."""
         left = [file for file in files if not self.relevant(file) and not self.is_ros1(file)]
-        kept = _names_of(file for file in files if self.relevant(file))
+        kept = names_of(file for file in files if self.relevant(file))
         while True:
             importers = [file for file in left if not kept.isdisjoint(self._imports(file))]
             if not importers:
                 return
             self._payloads.update(self._on_demand(importers))
             left = [file for file in left if file not in importers]
-            kept = _names_of(importers)
+            kept = names_of(importers)
 
     def _imports(self, file: SourceFile) -> set[str]:
         """The dotted names of modules that a screened-out file may import."""
-        return self._targets(file, self._payloads.get(file.path, b"").split(b"\n")[1:])
-
-    def _targets(self, file: SourceFile, names: Iterable[bytes]) -> set[str]:
-        """The dotted names, and the paths, that imported names may mean in a file."""
-        folder = file.path.replace("\\", "/").split("/")[:-1]
-        if file.kind == "cpp":
-            return {_include_name(name.decode("utf-8", "replace")) for name in names}
-        targets = set()
-        for written in names:
-            name = written.decode("utf-8", "replace")
-            level = len(name) - len(name.lstrip("."))
-            if level:
-                targets.add("/".join((*folder[: len(folder) - level + 1], *name[level:].split("."))).rstrip("/"))
-            else:
-                targets.add(name)
-                targets.add("/".join((*folder, *name.split("."))))
-        return targets
+        return targets_of(file, self._payloads.get(file.path, b"").split(b"\n")[1:])
 
     def _prepare(self, files: Iterable[SourceFile]) -> None:
         waiting: list[tuple[SourceFile, str, bytes]] = []
@@ -185,9 +168,9 @@ class FactsOfFiles:
     def imports_of(self, file: SourceFile, module: SourceFile) -> Span | None:
         """Where a file imports a module of the workspace; None where it does not."""
         file_facts = self.facts_of(file)
-        wanted = _names_of([module])
+        wanted = names_of([module])
         for statement in statements_of(file_facts.body) if file_facts is not None else ():
-            if not wanted.isdisjoint(self._targets(file, _modules_of(statement))):
+            if not wanted.isdisjoint(targets_of(file, modules_of(statement))):
                 return getattr(statement, "span", None)
         return None
 
@@ -324,7 +307,7 @@ class FactsOfFiles:
         for file, digest, data in waiting:
             self._keep(file, digest, results[digest].payload)
             if file.kind != "parameter_library":  # what is generated of it imports nothing of the workspace
-                self._fresh_imports |= self._targets(file, included(data) if file.kind == "cpp" else imported(data))
+                self._fresh_imports |= targets_of(file, included(data) if file.kind == "cpp" else imported(data))
 
     def _on_demand(self, files: Iterable[SourceFile]) -> dict[str, bytes]:
         """Compile files that the screen left out, because imports lead to them; payloads by path."""
@@ -366,35 +349,3 @@ def language_of(kind: SourceKind) -> Language:
 def source_digest(data: bytes, language: Language = "python") -> str:
     """What the facts of a source are kept under."""
     return digest_of(data, f"{language} {FACTS_VERSION}")
-
-
-def _include_name(path: str) -> str:
-    """What stands for a header among the names that files import: its last part."""
-    return "#include " + path.rpartition("/")[2]
-
-
-def _modules_of(statement: Stmt) -> list[bytes]:
-    """The modules that a statement may import; none for what is no import."""
-    match statement:
-        case model.Import(module):
-            return [module.encode()]
-        case model.ImportFrom(module, level, names):
-            origin = "." * level + module
-            dot = "" if origin.endswith(".") else "."
-            return [name.encode() for name in (origin, *(f"{origin}{dot}{name}" for name, _ in names))]
-    return []
-
-
-def _names_of(files: Iterable[SourceFile]) -> set[str]:
-    """Under which names files can be imported: dotted, and by path without the suffix."""
-    names = set()
-    for file in files:
-        path = file.path.replace("\\", "/")
-        if file.kind == "cpp":
-            names.add(_include_name(path))
-            continue
-        if file.kind == "parameter_library":
-            names.update(_include_name(f"{module.rpartition('.')[2]}.hpp") for module in file.modules)
-        names.add(path.removesuffix(".py").removesuffix("/__init__"))
-        names.update(file.modules)
-    return names
