@@ -548,6 +548,26 @@ def test_an_except_with_the_name_of_what_it_catches(judge: Judge):
     assert told.help == "write `except Exception as e:`"
     (of_class,) = judge("API005", _node("try:", "    self.publish()", "except Failure:  # here", "    pass"))
     assert of_class.help == "define it, or remove the line"
+    (of_word,) = judge("API005", _node("try:", "    self.publish()", "except failure:  # here", "    pass"))
+    assert of_word.help == "name the class of the exception that is meant"
+
+
+@pytest.mark.parametrize(
+    ("imported", "meant"), [("import socket", "socket.timeout"), ("from socket import socket", "TimeoutError")]
+)
+def test_an_except_for_a_timeout(judge: Judge, imported: str, meant: str):
+    source = f"{imported}{_node('try:', '    self.publish()', 'except timeout:  # here', '    pass')}"
+    (told,) = judge("API005", source)
+    assert told.help == f"write `except {meant}:`"
+
+
+@pytest.mark.parametrize("spins", ["rclpy.spin(Imu())  # here", "node = Imu()  # here\n    rclpy.spin(node)"])
+def test_a_message_is_no_node_to_spin(judge: Judge, spins: str):
+    (told,) = judge("API005", _node("pass").replace("rclpy.spin(Talker())", spins))
+    assert told.help == "write Talker"
+    others = "class Imu2(Node):\n    pass\n\n\ndef main"
+    (told,) = judge("API005", _node("pass").replace("rclpy.spin(Talker())", spins).replace("def main", others))
+    assert told.help == "define it, or remove the line"
 
 
 def test_what_stands_behind_the_line_at_which_loading_ends(judge: Judge):

@@ -15,6 +15,7 @@ from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
 from archlint.checks.unported import is_part_of_port, told_of_rospy
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.how_imported import defined_beside, idle_import_with, import_of, interface_meant
+from archlint.python_code.names_meant import exception_meant, node_class_meant
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
 from archlint.python_code.undefined_beside import stops_a_launch
@@ -189,14 +190,17 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         ruled_out = _BUILT_IN if around is None else _BUILT_IN | {around.name}  # to call itself would never end
         known = (name for name in read.known if name not in ruled_out and not _is_one_a_class(name, read.name))
         near = nearest(read.name, known) or idle_import_with(workspace, read.place.file, read.name) or ""
-    if read.caught:
-        near, statement = "", f"except Exception as {read.name}:"
-    if read.name in _OF_ROS_1:
+    node = node_class_meant(workspace, read.place)
+    if node is not None and (not statement or ".msg " in statement):
+        near, statement = near or node, ""  # no message is spun, whatever package has one of the name
+    if read.caught or read.name in _OF_ROS_1:
         near, statement = "", ""
     if read.name in _OTHERWISE_CALLED and not read.of_self:
         near, statement = _OTHERWISE_CALLED[read.name], ""
     cure = (
-        f"write `{statement}`"
+        exception_meant(workspace, read.place.file, read.name)
+        if read.caught
+        else f"write `{statement}`"
         if statement
         else f"write {near}"
         if near
@@ -209,7 +213,7 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         f"nothing defines '{read.name}': this line fails with a NameError{hint}",
         help=cure,
         identity=(read.name,),
-        group=(read.place.file, _IMPORTS if statement and not read.caught else read.name),
+        group=(read.place.file, _IMPORTS if statement else read.name),
         meant=near,
     )
 

@@ -1,0 +1,74 @@
+"""What an undefined name stands for, by where it stands: the node that is spun, the exception that is caught."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in, once_for
+from archlint.syntax.walk import called_name
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.systems.model import WorkspaceIndex
+
+_TAKE_A_NODE = frozenset({"add_node", "spin", "spin_once", "spin_until_future_complete"})
+_NODES = frozenset({"LifecycleNode", "Node"})
+_USUAL = frozenset({"error", "errors", "excep", "exception"})
+_SHORT = 3
+"""Names of so few letters, ``e`` and ``exc``, are variables."""
+
+
+def node_class_meant(workspace: WorkspaceIndex, place: Place) -> str | None:
+    """The only class of nodes of a file, where a name is called there to make the node that is spun; empty where the
+    file has none or several, None for any other name."""
+    code = workspace.facts_at(place.file)
+    if code is None or place.span not in _nodes_made(code):
+        return None
+    classes = [cls.name for cls in everything_in(code.body, facts.Class) if _is_of_nodes(cls)]
+    return classes[0] if len(classes) == 1 else ""
+
+
+def _is_of_nodes(cls: facts.Class) -> bool:
+    return any(base.value.last_name in _NODES for base in cls.bases)
+
+
+@once_for
+def _nodes_made(code: facts.Facts) -> frozenset[facts.Span]:
+    """Where the names stand that a file calls for a node: ``rclpy.spin(Talker())``, or into a variable that is spun."""
+    given = [call.args[0].value for call in everything_in(code.body, facts.Call) if _takes_a_node(call)]
+    spun = {value.variable for value in given if value.variable}
+    assigned = (
+        statement.value
+        for statement in everything_in(code.body, facts.Assign)
+        if any(target.variable in spun for target in statement.targets)
+    )
+    return frozenset(_names_called([*given, *assigned]))
+
+
+def _takes_a_node(call: facts.Call) -> bool:
+    return called_name(call) in _TAKE_A_NODE and bool(call.args) and not call.args[0].keyword
+
+
+def _names_called(values: list[facts.Expr]) -> Iterator[facts.Span]:
+    for value in values:
+        match value:
+            case facts.Call(func=facts.Name(span=span)):
+                yield span
+
+
+def exception_meant(workspace: WorkspaceIndex, file: str, name: str) -> str:
+    """What is advised for the name behind ``except``, where nothing defines it: most mean a variable, ``except e:``,
+    and some a class that they have not imported."""
+    if name == "timeout":
+        code = workspace.facts_at(file)
+        imports = everything_in(() if code is None else code.body, facts.Import)
+        has_socket = any(each.module == "socket" and each.alias is None for each in imports)
+        return f"write `except {'socket.timeout' if has_socket else 'TimeoutError'}:`"
+    if len(name) <= _SHORT or name in _USUAL:
+        return f"write `except Exception as {name}:`"
+    return "name the class of the exception that is meant"
+
+
+__all__ = ["exception_meant", "node_class_meant"]
