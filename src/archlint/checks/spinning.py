@@ -87,17 +87,24 @@ def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
     if idle.spin is not None:
         message = f"nothing spins this node after its constructor, so the {callbacks} of its {what} no longer {runs}"
         related.append(Related(idle.spin, "the constructor spins only briefly"))
+    if idle.taken is not None:
+        name = idle.taken.api.rpartition(".")[2]
+        message = f"{name}() takes the node from its executor, so the {callbacks} of its {what} no longer {runs}"
+        help_ = "leave the spinning to the executor: wait for the future with an event that its done callback sets"
+        if name == "spin_once":
+            help_ = "leave the spinning to the executor, or spin that: executor.spin_once()"
+        related.append(Related(idle.taken.executor, "this executor has the node until then"))
     if idle.behind is not None:
         message = f"nothing spins this node before ROS shuts down, so the {callbacks} of its {what} never {runs}"
         help_ = "add both nodes to one executor: executor.add_node(…) for each, then executor.spin()"
         related.append(Related(idle.behind, "this spin returns only at shutdown, so the next one comes too late"))
-    attributes = read_off(system.workspace, node) if idle.spin is idle.behind is None else []
+    attributes = read_off(system.workspace, node) if idle.taken is None and idle.spin is idle.behind is None else []
     if attributes:
         names = " and ".join(f"'{name}'" for name in attributes)
         help_ = f"do not create a node for this: move {names} out of the class"
     return finding(
         "EXE008",
-        node.made_at or node.place,
+        (node.made_at or node.place) if idle.taken is None else idle.taken.call,
         message,
         help=help_,
         related=related,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import source_code
 from archlint.execution.spins import spin_before
+from archlint.execution.taken_nodes import Taken, taken
 from archlint.execution.waits import asked_clients
 from archlint.finding import Place
 from archlint.libraries import tables
@@ -50,6 +51,8 @@ class Idle:
     spin: Place | None = None
     behind: Place | None = None
     asked: Sequence[Place] = ()
+    taken: Taken | None = None
+    """The call that takes the node from its executor, after which nothing spins it."""
 
 
 def _all_is_seen(program: Program, node: Blueprint) -> bool:
@@ -66,6 +69,9 @@ def idle_of(system: System, program: Program, node: Blueprint) -> Idle | None:
     if node.executor == ExecutorKind.NONE:
         asked = () if served else _done_callbacks(system, program, node)
         return Idle(served, asked=asked) if served or asked else None
+    gone = taken(source_code(system), program, node) if served else None
+    if gone is not None:
+        return Idle(served, taken=gone)
     spells = [spell for use in program.executors if use.spun for spell in use.spells.get(node, ())]
     if not spells or any(node in use.nodes and node not in use.spells for use in program.executors):
         return None

@@ -36,6 +36,8 @@ class Spell:
     """True where it lasts until the answer of a client is there."""
     creations: int
     """How many entities the node had by then."""
+    taken_from: Place | None = None
+    """The executor that the node had been added to by then, unless it was added again: this spin takes it away."""
 
 
 @dataclass(eq=False)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint import model
@@ -72,8 +73,11 @@ def _global_use(run: Run) -> model.ExecutorUse:
     return use
 
 
-def _put(use: model.ExecutorUse, node: model.Blueprint) -> None:
+def _put(run: Run, use: model.ExecutorUse, node: model.Blueprint) -> None:
     use.spells.pop(node, None)
+    for other in run.program.executors:
+        if node in other.spells:
+            other.spells[node] = [replace(spell, taken_from=None) for spell in other.spells[node]]
     if node not in use.nodes:
         use.nodes.append(node)
 
@@ -177,7 +181,7 @@ def spin(run: Run, call: ApiUse) -> Value:
         use.astray = use.astray or not spun
         _note_own_executor(spun if lasting == model.SpinDuration.TO_THE_END else ())
         for node in spun:
-            _visit(use, node, _spell(run, call, node, lasting))
+            _visit(use, node, replace(_spell(run, call, node, lasting), taken_from=_added_to(run, use, node)))
     _serve(run, call)
     return Known(None)
 
@@ -195,6 +199,12 @@ def _asks_whether_done(loop: facts.While | facts.For) -> bool:
         case facts.While(test):
             return any(called_name(inner) == "done" for inner in calls_in(test))
     return False
+
+
+def _added_to(run: Run, use: model.ExecutorUse, node: model.Blueprint) -> Place | None:
+    """The other executor that a node has been added to for good."""
+    others = (other for other in run.program.executors if other is not use and node in other.nodes)
+    return next((other.place for other in others if node not in other.spells), None)
 
 
 def _visit(use: model.ExecutorUse, node: model.Blueprint, spell: model.Spell) -> None:
@@ -227,7 +237,7 @@ def add_node(run: Run, call: ApiUse) -> Value:
         use.astray = use.astray or not added
         _note_own_executor(added)
         for node in added:
-            _put(use, node)
+            _put(run, use, node)
     return Known(True)
 
 
@@ -252,7 +262,7 @@ def set_executor(run: Run, target: Value, value: Value) -> None:
     """``node.executor = executor`` adds the node to the executor."""
     use, node = use_of(run, value), nodes.known_node(run, target)
     if use is not None and node is not None:
-        _put(use, node)
+        _put(run, use, node)
 
 
 def executor_spin(run: Run, call: ApiUse) -> Value:
