@@ -39,6 +39,7 @@ MODULES: tuple[str, ...] = (
     "circles",
     "cmake_names",
     "refused_commands",
+    "refused_cpp",
     "refused_manifests",
     "clock_topics",
     "parameter_members",

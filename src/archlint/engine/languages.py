@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from archlint.finding import Finding
 
 _FAMILIES = ("OWN", "QOS", "LCH", "PRM", "NME", "GRF", "ARC", "LNT")
-_CODES = frozenset({"TOP001", "TOP002", "TOP003", "TOP004", "SRV001", "SRV002", "ACT001", "PKG001", "MSG002"})
+_CODES = frozenset({"API007", "TOP001", "TOP002", "TOP003", "TOP004", "SRV001", "SRV002", "ACT001", "PKG001", "MSG002"})
 
 
 def for_their_languages(findings: Iterable[Finding]) -> Iterator[Finding]:

@@ -79,10 +79,11 @@ def declared_by_name_alone(workspace: WorkspaceIndex, of_nodes: Collection[Place
 
 
 def _files(workspace: WorkspaceIndex, word: str) -> list[str]:
-    return [path for path in workspace.code.cpp_files_that_mention(word) if _is_judged(workspace, path)]
+    return [path for path in workspace.code.cpp_files_that_mention(word) if is_judged(workspace, path)]
 
 
-def _is_judged(workspace: WorkspaceIndex, path: str) -> bool:
+def is_judged(workspace: WorkspaceIndex, path: str) -> bool:
+    """Whether a file is code that is in use, and that is for one distribution alone."""
     if workspace.roles.is_test(path) or is_aside(workspace, path):
         return False
     return not any(workspace.code.mentions(path, word) for word in _OF_VERSIONS)
@@ -136,4 +137,4 @@ def _under_conditions(code: facts.Facts) -> set[Itself[facts.Base]]:
     }
 
 
-__all__ = ["MovedName", "declared_by_name_alone", "moved_names", "numbers_as_durations"]
+__all__ = ["MovedName", "declared_by_name_alone", "is_judged", "moved_names", "numbers_as_durations"]

@@ -16,6 +16,7 @@ from functools import cache
 
 import msgspec
 
+from archlint.syntax.cpp_uses import MemberUse, RefusedUse, TypedField
 from archlint.syntax.expressions import (
     Argument,
     Assigned,
@@ -79,7 +80,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 28
+FACTS_VERSION = 29
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 
@@ -135,6 +136,12 @@ class Facts(Base, frozen=True):
     """``__all__`` where it is a literal list."""
     names: list[str] = msgspec.field(default_factory=list)
     """All names and attributes that the code uses, sorted."""
+    member_uses: list[MemberUse] = msgspec.field(default_factory=list)
+    """What C++ code asks of messages."""
+    typed_fields: list[TypedField] = msgspec.field(default_factory=list)
+    """The fields of classes of C++ that are messages."""
+    refused_uses: list[RefusedUse] = msgspec.field(default_factory=list)
+    """What C++ code gives rclcpp that does not compile."""
 
     @property
     def statements(self) -> list[Base]:

@@ -50,6 +50,11 @@ class WorkspaceCode:
         paths = (file.relative for file in self._files if file.kind == "cpp" and not file.context)
         return [path for path in paths if self.mentions(path, name) and self._relevant(self._by_path[path])]
 
+    def cpp_files(self) -> Sequence[str]:
+        """The C++ files that were asked for and that can matter."""
+        files = (file for file in self._files if file.kind == "cpp" and not file.context)
+        return [file.relative for file in files if self._relevant(file)]
+
     def asked_for(self) -> Sequence[tuple[SourceFile, Facts]]:
         """The files that were asked for and that can matter, with their facts."""
         return self._asked_for

@@ -19,6 +19,7 @@ from archlint.syntax.cpp.lower_classes import ClassLowering
 from archlint.syntax.cpp.names import FunctionScope, Names, unnamed
 from archlint.syntax.cpp.parser import parse
 from archlint.syntax.cpp.source import SourceText
+from archlint.syntax.cpp.uses import uses_of
 from archlint.syntax.facts import FACTS_VERSION, Facts
 from archlint.syntax.parts import names_in
 
@@ -36,12 +37,16 @@ def lower(data: bytes) -> Facts:
     lowering.note_classes(tree.root_node)
     body = lowering.block(tree.root_node.named_children)
     every: list[Stmt] = [*lowering.imports(), *body, *_started(body)]
+    asked, fields, refused = uses_of(source, lowering.names, tree.root_node)
     return Facts(
         FACTS_VERSION,
         body=every,
         suppressions=find_suppressions(source, tree.root_node),
         problems=problems_of(source, tree.root_node, every),
         names=sorted(names_in(every)),
+        member_uses=asked,
+        typed_fields=fields,
+        refused_uses=refused,
     )
 
 
