@@ -32,6 +32,13 @@ _MAKERS: dict[tuple[str, str], Holder] = {("std", "make_shared"): "shared", ("st
 _SECTIONS = frozenset({"Request", "Response", "Goal", "Result", "Feedback"})
 _OF_ITEMS = frozenset({"at", "front", "back"})
 _MOST_INSIDE = 20
+_WITHOUT_CLASSES = frozenset(
+    {"compound_statement", "expression_statement", "declaration", "comment", "function_declarator", "preproc_include"}
+    | {"preproc_def", "preproc_function_def", "identifier", "type_identifier", "qualified_identifier"}
+    | {"base_class_clause", "access_specifier", "field_initializer_list", "primitive_type", "template_type"}
+    | {"field_identifier", "lambda_expression"}
+)
+"""Where no class and no alias of the file is looked for."""
 
 Member = tuple[str, "Span"]
 
@@ -96,7 +103,7 @@ class Kinds:
     # ------------------------------------------------------------------------------------------------ names
 
     def note(self, root: Node) -> None:
-        """Take note of the aliases and the classes of the file."""
+        """Take note of the aliases and the classes of the file, outside of functions."""
         waiting = [root]
         classes: list[Node] = []
         while waiting:
@@ -113,7 +120,7 @@ class Kinds:
                 self._note_alias(node.named_children[0], node.named_children[-1])
             elif node.type in ("class_specifier", "struct_specifier"):
                 classes.append(node)
-            waiting.extend(node.named_children)
+            waiting.extend(child for child in node.named_children if child.type not in _WITHOUT_CLASSES)
         for node in classes:
             self._note_class(node)
 

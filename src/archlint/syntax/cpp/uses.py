@@ -23,6 +23,13 @@ _SCOPES = frozenset(
     | {"case_statement", "do_statement"}
 )
 _DECLARES = frozenset({"declaration", "parameter_declaration", "optional_parameter_declaration"})
+_LEAVES = frozenset(
+    {"identifier", "field_identifier", "type_identifier", "namespace_identifier", "primitive_type", "comment", "this"}
+    | {"number_literal", "string_literal", "string_content", "char_literal", "true", "false", "null", "auto"}
+    | {"qualified_identifier", "template_type", "placeholder_type_specifier", "type_qualifier", "access_specifier"}
+    | {"preproc_include", "preproc_def", "preproc_function_def", "using_declaration", "alias_declaration"}
+)
+"""What has nothing inside that asks a message for something."""
 _MOST_INSIDE = 150
 """How deep nodes may be nested."""
 
@@ -84,7 +91,8 @@ class _Walk:
 
     def _children(self, node: Node, depth: int) -> None:
         for child in node.named_children:
-            self.visit(child, depth + 1)
+            if child.type not in _LEAVES:
+                self.visit(child, depth + 1)
 
     def _is_judged(self) -> bool:
         return self._conditions == 0 and bool(self.kinds.scopes)
