@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.pinned import is_for_older_ros, is_from_before_galactic, is_on_focal
 from archlint.checks.folding import folds, with_others
+from archlint.checks.refused_cpp_words import words_for
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
@@ -84,80 +85,8 @@ def _fields(workspace: WorkspaceIndex, row: RefusedMember) -> list[str]:
 
 
 def _of_use(path: str, use: RefusedUse) -> Finding:
-    message, help = _words(use)
+    message, help = words_for(use)
     return _finding(Place(path, *use.span), message, help, use.kind)
-
-
-def _words(use: RefusedUse) -> tuple[str, str]:
-    name, other = use.name, use.other
-    match use.kind:
-        case "format":
-            return f"{name}() is given a std::string for its format", f'write {name}(…, "%s", text.c_str())'
-        case "no logger":
-            return f"{name}() lacks its first argument, a logger", f"write {name}(get_logger(), …)"
-        case "no clock":
-            return (
-                f"{name}() lacks the clock behind its logger",
-                f"write {name}(get_logger(), *get_clock(), 1000, …), with a number of milliseconds",
-            )
-        case "clock pointer":
-            return f"{name}() is given a pointer to a clock, and takes the clock", f"write *{other}"
-        case "no pointer to node":
-            return (
-                f"{name}() is given '{other}', and takes a shared pointer to a node",
-                "make the node with std::make_shared<…>(…), and pass that"
-                if other != "this"
-                else "write shared_from_this(), outside of the constructor",
-            )
-        case "unique pointer":
-            return f"{name}() is given a std::unique_ptr, and takes a shared pointer", "use std::make_shared<…>(…)"
-        case "lifecycle node":
-            return (
-                f"{name}() takes no shared pointer to a LifecycleNode",
-                f"write {name}({other}->get_node_base_interface())",
-            )
-        case "no qos":
-            return f"{name}() lacks an argument: it takes a topic and a QoS", "add a QoS, such as 10"
-        case "no callback":
-            return f"{name}() is given no callback", "add the function to be called"
-        case "callback for qos":
-            return f"{name}() is given its callback where the QoS belongs", "write a QoS in front of it, such as 10"
-        case "period":
-            return f"{name}() is given the number {other} for its period", "give it a duration: 500ms of std::chrono"
-        case "parameter":
-            return (
-                f"get_parameter() gives an rclcpp::Parameter, and '{name}' is of the type {other}",
-                f"write get_parameter(…).{_VALUES.get(other, 'as_int')}()",
-            )
-        case "no method":
-            return f"class '{other}' has no method '{name}'", "name a method of the class"
-        case "bound arguments":
-            takes, gives = other.split()
-            return (
-                f"std::bind() gives '{name}' {_arguments(gives)} besides the object, and it takes {takes}",
-                "write a placeholder for each of its parameters: std::placeholders::_1",
-            )
-        case "callback arguments":
-            wanted = {"create_subscription": "one: the message", "create_service": "two: request and response"}
-            return (
-                f"{name}() is given a callback with {other} parameters",
-                f"it takes {wanted.get(name, 'none')}",
-            )
-        case "callback type":
-            return f"the callback takes {other}, and is called with {name}", f"write {name}, or ask for the other type"
-        case "published type":
-            return f"a publisher of {name} is given {other}", f"publish {name}"
-        case "created type":
-            return f"what is made for {other} is kept in a pointer for {name}", "write the same type at both places"
-        case "dot":
-            return f"'{other}' is asked of the pointer '{name}' with a '.'", f"write {name}->{other}"
-
-
-_VALUES = {"double": "as_double", "float": "as_double", "bool": "as_bool", "std::string": "as_string"}
-
-
-def _arguments(count: str) -> str:
-    return "one argument" if count == "1" else f"{count if count != '0' else 'no'} arguments"
 
 
 def _finding(place: Place, message: str, help: str, kind: str, meant: str = "") -> Finding:

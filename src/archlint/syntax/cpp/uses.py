@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.syntax.cpp.kinds_of_values import Kind, Kinds, is_interface, plain
+from archlint.syntax.cpp.kinds import Kind, is_interface, plain
+from archlint.syntax.cpp.kinds_of_values import Kinds
 from archlint.syntax.cpp.refused_uses import RefusedUses
 from archlint.syntax.cpp_uses import CALLED, MemberUse, RefusedUse, Role, TypedField
 
