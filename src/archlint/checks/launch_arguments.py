@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.checks.folding import folds, with_places
+from archlint.checks.includes_elsewhere import PASSED_TO_ALL, unknown_elsewhere
 from archlint.checks.late_declarations import LATE, late_declaration
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -46,6 +47,7 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     if not told:
         yield from map(_misread, misread_arguments(system.workspace, launched.file))
     yield from _handed_on(system.workspace, _of_includes(system.workspace, launched))
+    yield from unknown_elsewhere(system.workspace, launched)
 
 
 def _of_includes(workspace: WorkspaceIndex, launched: Launched) -> list[Finding]:
@@ -334,7 +336,7 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
         related=[Related(given[name], f"'{name}' is set here" + did_you_mean(name, declared)) for name in others],
         identity=(*sources, *unknown),
     )
-    if set(unknown) <= _PASSED_TO_ALL:
+    if set(unknown) <= PASSED_TO_ALL:
         folders = sorted({posixpath.dirname(source) for source in sources})
         return replace(diagnostic, severity=Severity.INFO, group=(*folders, *unknown))
     return replace(diagnostic, group=(*sources, *unknown))
@@ -356,10 +358,6 @@ def _not_scoped(diagnostic: Finding, read_on: Mapping[str, Place]) -> Finding:
         severity=Severity.WARNING,
         group=(*diagnostic.group, "not scoped"),
     )
-
-
-_PASSED_TO_ALL = frozenset({"use_sim_time"})
-"""Arguments that launch files hand to every include as a matter of course, to those of drivers as well."""
 
 
 @folds("LCH003", across_systems=True)

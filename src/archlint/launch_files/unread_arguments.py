@@ -8,10 +8,12 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once, once_for_each_file
+from archlint.analysis.pinned import may_be_on_focal
 from archlint.launch.parameter_sources import ParameterFileUse
 from archlint.launch.parameters import from_yaml
 from archlint.launch_files.launch_code import may_read_argument
 from archlint.launch_files.misread_arguments import misread_arguments
+from archlint.launch_files.well_known_includes import named_in_parameters, taken_by
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -40,20 +42,33 @@ def _substitutes_in_parameters(launched: Launched) -> bool:
     )
 
 
+def _include_readers_are_known(workspace: WorkspaceIndex, launched: Launched) -> bool:
+    """The same where well-known files are included that are not here."""
+    others = [include for include in launched.included if include.reference.source is None]
+    if any(taken_by(include) is None for include in others) or may_be_on_focal(workspace):
+        return False
+    return not (launched.gaps or launched.ros1 or launched.reads_any or _substitutes_in_parameters(launched))
+
+
 def unread_arguments(system: System) -> Iterator[DeclaredArgument]:
     """The arguments that the launch file of a system declares, and that neither it nor what it includes reads."""
     launched, workspace = system.launched, system.workspace
-    if launched is None or workspace is None or not all_readers_are_known(launched):
+    if launched is None or workspace is None:
         return
-    if launched.undeclared or not launched.started:
+    if not (all_readers_are_known(launched) or _include_readers_are_known(workspace, launched)):
+        return
+    elsewhere = {name for include in launched.included for name in taken_by(include) or ()}
+    if elsewhere:
+        elsewhere |= named_in_parameters(workspace)
+    if launched.undeclared or not (launched.started or elsewhere):
         return  # one of these may be the argument, misspelt; or the file declares arguments for those that include it
     others = _read_where_included(workspace).get(launched.file, frozenset())
     misread = {row.declared for row in misread_arguments(workspace, launched.file)}
     for argument in launched.declared:
         if argument.file != launched.file or argument.name in launched.read or argument.name in others:
             continue
-        if argument.name in misread:
-            continue  # LCH003 says by which name it is read
+        if argument.name in misread or argument.name in elsewhere:
+            continue  # LCH003 says by which name it is read, or a file that is not here reads it
         if _is_of_library(launched, argument):
             continue
         if not may_be_read(workspace, launched, argument.name) and not _is_kept_on_purpose(workspace, argument):
