@@ -109,7 +109,7 @@ MISSING = {
     "an exception that is swallowed": ("try:\n    return self.start()\nexcept OSError:\n    self.note()", [1]),
     "its request": ("request.done = True\nreturn request", [3]),
     "the class of its response": ("return Trigger.Response", [2]),
-    "two ways": ("if self.ready:\n    return\nreturn None", [3, 4]),
+    "two ways": ("if self.ready:\n    return\nreturn None", [3]),
 }
 
 
@@ -119,6 +119,12 @@ def test_a_path_without_the_response(run: Run, body: str, lines: list[int]):
     first = text.splitlines().index("    def handle(self, request, response):") + 1
     found = [one for one in run(text) if one.code == "SRV007"]
     assert [one.place.line - first + 1 for one in found] == lines
+
+
+def test_the_ends_of_one_handler_are_one_finding(run: Run):
+    [told] = [one for one in run(handler("if self.ready:\n    return\nself.note()")) if one.code == "SRV007"]
+    assert told.message.endswith("; another end of it does the same")
+    assert [one.message for one in told.related].count("this end, too") == 1
 
 
 OTHERS = {

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
+from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -35,7 +36,14 @@ def _missing(system: System, end: HandlerEnd) -> Finding:
         related=related_handler(end),
         node=node_name(system, end.callback.node),
         identity=(end.callback.name, end.how),
+        group=(end.callback.place.file, str(end.callback.place.line), end.callback.name, end.serves),
     )
+
+
+@folds("SRV007")
+def _of_one_handler(findings: Sequence[Finding]) -> Finding:
+    """One finding for all ends of a handler: they lack the same response."""
+    return with_others(findings, "another end of it does", "more ends of it do", "the same", "this end, too")
 
 
 def _returns(end: HandlerEnd) -> str:
