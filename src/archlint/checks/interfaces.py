@@ -170,6 +170,9 @@ def _renamed(name: str) -> str:
 
 def _cure(interface: UnknownInterface, names: Sequence[str]) -> str:
     """The import line to write where the interface is found elsewhere, what the build lacks, or what there is."""
+    if interface.left_out and not is_interface_name(interface.name):  # rosidl refuses the file: no build comes through
+        file = f"{interface.kind}/{_renamed(interface.name)}.{interface.kind}"
+        return f"rename it to {file}, as names of interfaces have no '_', and list that in rosidl_generate_interfaces()"
     if interface.left_out:
         return f'add "{_file(interface)}" to rosidl_generate_interfaces() in the CMakeLists.txt of {interface.package}'
     is_of_cpp = is_cpp(interface.place.file)
