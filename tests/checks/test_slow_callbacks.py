@@ -496,6 +496,12 @@ def test_the_next_message_may_wait_for_a_moment_or_for_work(run: Run, body: str,
         pytest.param(
             ["if self.state == 'OPEN':", "    self.state = 'OPEN'", "    SLEEP"], ["EXE003"], id="a state that was set"
         ),
+        pytest.param(["if self.closed:", "    return", "self.closed = True", "SLEEP"], [], id="once, said before"),
+        pytest.param(
+            ["if self.closed:", "    return", "self.closed = True", "SLEEP", "if self.hot:", "    self.closed = False"],
+            ["EXE003"],
+            id="busy meanwhile",
+        ),
         pytest.param(["if self.left:", "    SLEEP", "    self.left -= 1"], ["EXE003"], id="a counter"),
     ],
 )
