@@ -17,6 +17,7 @@ from pathlib import Path
 import pytest
 
 from archlint.cli import main
+from archlint.interpreter.machine import Machine
 from archlint.launch.launches import Launches
 from archlint.programs.follower import Follower
 from archlint.programs.keys import EntryKey, ProgramKey
@@ -593,6 +594,46 @@ def test_cpp_is_followed_again_where_a_source_of_it_has_changed(workspace, outpu
         assert printed == outputs(cached=False)
 
 
+PARK = """\
+    #include "rclcpp/rclcpp.hpp"
+    #include "std_msgs/msg/string.hpp"
+    #include "drive/names.hpp"
+    #include "drive/ramp.hpp"
+    int main(int argc, char ** argv) {
+      rclcpp::init(argc, argv);
+      auto node = std::make_shared<rclcpp::Node>("park");
+      auto ends = node->create_subscription<std_msgs::msg::String>(Ramp::topic(), 10, [](std_msgs::msg::String) {});
+      auto begins = node->create_publisher<std_msgs::msg::String>(Names::ramp() + "/parked", 10);
+      rclcpp::spin(node);
+    }
+    """
+"""Another program with the same headers."""
+
+
+def test_sources_of_cpp_run_again_for_programs_of_cpp_alone(workspace, outputs, monkeypatch):
+    """What a source defines of a header is known by all that include the header, also where that source is not followed
+    again."""
+    built = "add_executable(park src/park.cpp src/ramp.cpp src/names.cpp)\ninstall(TARGETS park "
+    write_all(workspace, {**CPP, "drive/src/park.cpp": PARK})
+    replaced("drive/CMakeLists.txt", "install(TARGETS ", built)(workspace)
+    replaced("robot/robot/listener.py", "Base.__subclasses__()", "[]")(workspace)  # this asks for all modules
+    ran: list[str] = []
+    run = Machine._run_top_level
+    monkeypatch.setattr(Machine, "_run_top_level", lambda self, module: [ran.append(module.path), run(self, module)][1])
+    assert '"/ramp/parked"' in outputs(cached=True)[1]
+    for edit, again in (
+        (replaced("robot/robot/talker.py", "0.1", "0.2"), False),
+        (replaced("drive/src/park.cpp", "parked", "stopped"), True),
+        (replaced("robot/robot/talker.py", "0.2", "0.3"), False),
+        (replaced("drive/src/drive.cpp", '"drive"', '"driver"'), True),
+    ):
+        edit(workspace)
+        ran.clear()
+        printed = outputs(cached=True)
+        assert ("drive/src/names.cpp" in ran) is again
+        assert printed == outputs(cached=False)
+
+
 def test_only_the_launches_that_an_edit_can_change_run_again(workspace, outputs, monkeypatch):
     """One that asks for the words of its command line runs each time."""
     launched: list[str] = []
@@ -623,6 +664,7 @@ def test_only_the_launches_that_an_edit_can_change_run_again(workspace, outputs,
 LAUNCHES = """
 import sys
 from archlint.cli import main
+from archlint.interpreter.machine import Machine
 from archlint.launch.launches import Launches
 
 run = Launches._run

@@ -7,7 +7,7 @@ the folder it lies in.  Both are looked up by the dotted names that the find flo
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
@@ -106,6 +106,8 @@ class ModuleIndex:
         """The keys of the scopes of all modules that ran here."""
         self._written: dict[str, set[int]] = {}
         """The keys of objects of other modules that the import of a module has written, by its path."""
+        self._known_changes: dict[str, frozenset[str]] = {}
+        """The paths of these modules where only that is known of the import, which has not run here."""
         self._changed: dict[str, tuple[int, frozenset[str]]] = {}
         """The paths of the modules whose objects those are, and how many keys that is known of: a module that runs
         later has later keys."""
@@ -201,11 +203,14 @@ class ModuleIndex:
 
     def writers(self, used: Collection[str]) -> frozenset[str]:
         """The modules whose imports have changed objects of these modules: registered something with them, say."""
-        writing = (path for path, keys in self._written.items() if keys)
-        return frozenset(path for path in writing if not self._changed_by(path).isdisjoint(used))
+        writing = [path for path, keys in self._written.items() if keys]
+        writing += [path for path in self._known_changes if path not in self._written]
+        return frozenset(path for path in writing if not self.changed_by(path).isdisjoint(used))
 
-    def _changed_by(self, path: str) -> frozenset[str]:
+    def changed_by(self, path: str) -> frozenset[str]:
         """The modules whose objects the import of another has changed."""
+        if path not in self._written:
+            return self._known_changes[path]
         keys = self._written[path]
         count, changed = self._changed.get(path, (0, frozenset()))
         if count != len(keys):
@@ -214,6 +219,10 @@ class ModuleIndex:
             changed = frozenset(starts[ordered[at - 1]] for key in keys if (at := bisect_right(ordered, key)))
             self._changed[path] = len(keys), changed
         return changed
+
+    def note_changes(self, changes: Mapping[str, Collection[str]]) -> None:
+        """The imports of these modules are known, and have changed objects of those."""
+        self._known_changes.update((path, frozenset(changed)) for path, changed in changes.items())
 
     def writes(self, path: str) -> bool:
         """Whether the import of a module has changed objects of others."""

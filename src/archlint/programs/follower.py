@@ -59,6 +59,7 @@ class Follower:
             self.monitor.known(key.text)
         else:
             faults, began = self.faults.count, time.process_time()
+            self.kept.import_for(key.file)
             with self.index.reading(Reads()) as reads:
                 followed = act()
             seconds = time.process_time() - began

@@ -63,6 +63,8 @@ class KeptResults(ABC, Generic[Result]):
     _groups: dict[str, Sequence[str]] = field(default_factory=dict)
     """By the path of a module that a program has imported which was not followed again: the modules that ran for the
     first time when one of them was imported, that one first."""
+    _put_off: list[str] = field(default_factory=list)
+    """The modules of C++ that are to be imported before any program of C++ is followed."""
     _owners: dict[int, tuple[str, object]] = field(default_factory=dict)
     """Which program has an object, by the id of the object, which stays alive here."""
 
@@ -140,8 +142,25 @@ class KeptResults(ABC, Generic[Result]):
         for group in row.imports:
             self._groups.update(dict.fromkeys(group, group))
             self.index.imported.update(group)
-        if row.writes:  # what they have changed has to be here
-            self.import_now(path for group in row.imports for path in group)
+        if not row.changes:
+            return
+        paths = [path for group in row.imports for path in group]
+        if all(map(self._is_cpp, row.changes)):  # no program of Python meets what these have changed
+            self.index.note_changes(row.changes)
+            self._put_off += paths
+        else:  # what they have changed has to be here
+            self.import_now(paths)
+
+    def _is_cpp(self, path: str) -> bool:
+        file = self.index.importable.at(path)
+        return file is not None and file.kind == "cpp"
+
+    def import_for(self, file: str) -> None:
+        """A program that begins in a file, by its shown path, is about to be followed: import what it may meet and what
+        was put off."""
+        if self._put_off and not file.endswith(".py"):
+            paths, self._put_off = self._put_off, []
+            self.import_now(paths)
 
     def files_of(self, key: ProgramKey) -> Collection[str] | None:
         """The files whose code a program has seen; None for one that is not kept."""
@@ -232,7 +251,7 @@ class KeptResults(ABC, Generic[Result]):
             reads.lookups,
             reads.imports,
             sorted(self.index.writers(reads.used) - own),
-            any(self.index.writes(path) for path in own),
+            {path: sorted(self.index.changed_by(path)) for path in sorted(own) if self.index.writes(path)},
             reads.answers,
             payload,
         )
@@ -245,7 +264,7 @@ class KeptResults(ABC, Generic[Result]):
             self._new.append(key.text)
             # What the other one was first to import had run before this one.
             writers = sorted(self.index.writers(row.used))
-            self._rows[key.text] = replace(row, imports=[], writers=writers, writes=False)
+            self._rows[key.text] = replace(row, imports=[], writers=writers, changes={})
 
     def _owner(self, item: object, name: str) -> str:
         return self._owners.setdefault(id(item), (name, item))[0]
@@ -311,6 +330,9 @@ class NothingKept:
         return None
 
     def copy_of(self, key: ProgramKey) -> Followed | None:
+        return None
+
+    def import_for(self, file: str) -> None:
         return None
 
     def files_of(self, key: ProgramKey) -> Collection[str] | None:

@@ -39,8 +39,8 @@ class Row:
     """The modules that ran for the first time: each that was imported first, and those that its import led to."""
     writers: Collection[str]
     """The modules that had changed objects of those that it uses; none of ``imports``."""
-    writes: bool
-    """Whether its imports have changed objects of other modules."""
+    changes: Mapping[str, Collection[str]]
+    """Of its imports those that have changed objects of other modules, with the modules whose objects these were."""
     answers: Mapping[Question, str | None]
     """What was asked of the disk."""
     result: bytes
@@ -59,7 +59,7 @@ class _Entry(msgspec.Struct, array_like=True):
     lookups: list[int]
     imports: list[list[int]]
     writers: list[int]
-    writes: bool
+    changes: list[tuple[int, list[int]]]
     answers: list[int]
     result: bytes
 
@@ -188,7 +188,7 @@ class Table:
             dict(map(self._lookup, entry.lookups)),
             [paths(group) for group in entry.imports],
             paths(entry.writers),
-            entry.writes,
+            {self._kept.files[number][0]: paths(changed) for number, changed in entry.changes},
             {(question, path): answer for question, path, answer in map(self._kept.answers.__getitem__, entry.answers)},
             entry.result,
         )
@@ -237,7 +237,7 @@ def write(known: InMemory) -> bytes:
             [numbers.of_lookup(lookup, target) for lookup, target in row.lookups.items()],
             [numbers.of(group) for group in row.imports],
             numbers.of(row.writers),
-            row.writes,
+            [(numbers.of([path])[0], numbers.of(changed)) for path, changed in row.changes.items()],
             [numbers.of_answer(*question, answer) for question, answer in row.answers.items()],
             row.result,
         )

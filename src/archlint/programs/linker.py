@@ -188,6 +188,7 @@ class Linker:
         return [copies.get(id(program), program) for program in programs]
 
     def _import(self, module: Module) -> None:
+        self.kept.import_for(module.path)
         self.new_run(module.name, module).import_module(module)
 
     def _is_imported(self, module: Module) -> bool:
