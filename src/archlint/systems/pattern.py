@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final, Literal
 from archlint.architecture import ACTION, CONNECTIONS, SERVICE, TOPIC, ConnectionKind
 from archlint.counted import counted
 from archlint.ros.well_known import OF_EVERY_NODE, OF_MANY_PUBLISHERS
-from archlint.systems.shape import connections, plain_graph, splits
+from archlint.systems.shape import components, connections, plain_graph, splits
 
 if TYPE_CHECKING:
     import networkx
@@ -100,10 +100,8 @@ def figures(system: System) -> Figures:
 
 def _groups(system: System, nodes: list[Node]) -> list[int]:
     """How many of ``nodes`` each group has whose nodes reach each other."""
-    import networkx
-
     known = {id(node) for node in nodes}
-    return [len(known & part) for part in networkx.connected_components(plain_graph(system))]
+    return [len(known & part) for part in components(plain_graph(system))]
 
 
 def _pairs(system: System, known: Collection[int]) -> Iterator[tuple[ConnectionKind, int, int]]:
