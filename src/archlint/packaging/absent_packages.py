@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.cpp_nodes import CPP_SOURCES
-from archlint.analysis.kept import once, once_for_each_file
+from archlint.analysis.kept import kept, kept_for_each_file, once
 from archlint.analysis.pinned import may_be_on_focal
 from archlint.launch.kinds import FileStatus
 from archlint.ros import packages
@@ -87,7 +87,7 @@ def is_placeholder(package: str) -> bool:
     return _PLACEHOLDER.fullmatch(package) is not None
 
 
-@once_for_each_file
+@kept_for_each_file
 def is_untouched_template(file_facts: facts.Facts) -> bool:
     """Whether a file of Python has the name of no package where one was to be put in: nobody has run it yet."""
     texts = (literal.value for literal in everything_in(file_facts.body, facts.Literal))
@@ -202,6 +202,10 @@ _FETCHED = re.compile(r"^.*(?:://|\bclone\b|\bapt\b).*$", re.MULTILINE)
 
 def is_wanted_from_elsewhere(workspace: WorkspaceIndex, package: str) -> bool:
     """Whether the workspace says that it takes a package of that name from elsewhere, or a CMake file asks for it."""
+    return kept(workspace, (is_wanted_from_elsewhere, package), lambda: _is_wanted_from_elsewhere(workspace, package))
+
+
+def _is_wanted_from_elsewhere(workspace: WorkspaceIndex, package: str) -> bool:
     word = re.compile(rf"(?<![\w-]){re.escape(package).replace('_', '[_-]')}(?![\w-])")
     if any(package in installs.words for installs in workspace.installs.values()):
         return True

@@ -58,8 +58,13 @@ class MissingImport:
     """The module that has the ``name``, an interface, where it is imported from the package itself."""
 
 
-def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
+@once
+def missing_imports(workspace: WorkspaceIndex) -> list[MissingImport]:
     """Every such import in the files that were asked for, but for test code."""
+    return list(_missing_imports(workspace))
+
+
+def _missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
     for file, _ in workspace.code.judged():
         if file.kind != "python" or file.package is None or workspace.roles.is_test(file.relative):
             continue

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once
+from archlint.analysis.kept import kept, once
 from archlint.packaging.absent_packages import is_nowhere
 from archlint.python_code.offered_names import offers
 from archlint.ros.python_modules import is_known
@@ -70,6 +70,10 @@ def is_unknown(workspace: WorkspaceIndex, file: SourceFile, module: str) -> bool
 def is_no_package(workspace: WorkspaceIndex, top: str) -> bool:
     """Whether a top-level name is that of no module or package of the workspace, and of none that is known or wanted
     from elsewhere."""
+    return kept(workspace, (is_no_package, top), lambda: _is_no_package(workspace, top))
+
+
+def _is_no_package(workspace: WorkspaceIndex, top: str) -> bool:
     if top in workspace.code.modules:
         return False
     if top in sys.stdlib_module_names or is_known(top) or not is_nowhere(workspace, top):
