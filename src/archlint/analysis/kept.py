@@ -71,9 +71,10 @@ def kept_as(
 ) -> Callable[[HasFiles, str], _Result | None]:
     """The same under a name, for an analysis that finds something of a type ``kind``."""
     known = once_for_each_file(analysis)
+    or_nothing = cache(lambda: kind() | None)
 
     def of(workspace: HasFiles, file: str) -> _Result | None:
-        return workspace.summaries.of(file, name, kind() | None, lambda: known(workspace, file))
+        return workspace.summaries.of(file, name, or_nothing(), lambda: known(workspace, file))
 
     analyses.of_files.append(of)
     return of

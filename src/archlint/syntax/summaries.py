@@ -40,6 +40,7 @@ class Summaries:
     _digests: dict[str, str | None] = field(default_factory=dict, init=False)
     _known: dict[tuple[str, str], Any] = field(default_factory=dict, init=False)
     """What was asked for in this run, by the digest and by what it says."""
+    _decoders: dict[str, msgspec.msgpack.Decoder[Any]] = field(default_factory=dict, init=False)
     _new: list[tuple[str, str]] = field(default_factory=list, init=False)
     """The same of what was made since somebody took it."""
 
@@ -66,7 +67,7 @@ class Summaries:
         rows = self._rows.setdefault(digest, {})
         if name in rows:
             try:
-                return cast("Result", msgspec.msgpack.decode(rows[name], type=kind))
+                return cast("Result", self._decoder(name, kind).decode(rows[name]))
             except msgspec.MsgspecError:
                 pass  # of another form: made anew
         result = work()
@@ -74,6 +75,12 @@ class Summaries:
         self._new.append((digest, name))
         self.changed = True
         return result
+
+    def _decoder(self, name: str, kind: Any) -> msgspec.msgpack.Decoder[Any]:
+        """Reads one summary of any file: to make what reads a type takes longer than to read with it."""
+        if name not in self._decoders:
+            self._decoders[name] = msgspec.msgpack.Decoder(kind)
+        return self._decoders[name]
 
     def take_new(self) -> bytes:
         """What was made since the last time, for another process."""
