@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Generic, TypeVar, Union, overload
 
 from archlint.syntax import facts
-from archlint.syntax.fields_with_facts import fields_with_facts
+from archlint.syntax.fields_with_facts import Holding, fields_with_facts
 
 Kind = TypeVar("Kind", bound=facts.Base)
 Source = Union[facts.Base, Sequence[facts.Base], None]
@@ -126,7 +126,10 @@ def _walk(fact: Source, kind: type[facts.Base], into_scopes: bool) -> Iterator[f
         if kind is facts.Base or isinstance(item, kind):
             yield item
         if into_scopes or item is fact or not item.is_scope:
-            stack += (item.statements if of_statements else item.children())[::-1]
+            if of_statements:
+                stack += item.statements[::-1]
+            elif rows := _backwards[type(item)]:
+                _push(stack, item, rows)
 
 
 def _every(block: Sequence[facts.Base]) -> list[facts.Base]:
@@ -136,9 +139,32 @@ def _every(block: Sequence[facts.Base]) -> list[facts.Base]:
     while stack:
         item = stack.pop()
         every.append(item)
-        if fields_with_facts(type(item)):
-            stack += item.children()[::-1]
+        if rows := _backwards[type(item)]:
+            _push(stack, item, rows)
     return every
+
+
+class _Backwards(dict[type[facts.Base], tuple[Holding, ...]]):
+    """The fields of each class that may hold facts, the last one first."""
+
+    def __missing__(self, kind: type[facts.Base]) -> tuple[Holding, ...]:
+        rows = self[kind] = fields_with_facts(kind)[::-1]
+        return rows
+
+
+_backwards = _Backwards()
+
+
+def _push(stack: list[facts.Base], fact: facts.Base, rows: tuple[Holding, ...]) -> None:
+    """Put the facts that a fact is made of on a stack, the first one on top."""
+    for name, is_list, is_mixed in rows:
+        value = getattr(fact, name)
+        if is_mixed:
+            stack += [item for item in reversed(value) if isinstance(item, facts.Base)]
+        elif is_list:
+            stack += value[::-1]
+        elif value is not None:
+            stack.append(value)
 
 
 @once_for
