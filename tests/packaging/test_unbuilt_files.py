@@ -64,6 +64,36 @@ def test_a_source_that_another_one_includes_or_that_is_asked_for(tmp_path: Path,
     assert unreadable(tmp_path, "ament_cmake", "src/old.cpp", **files) == ["src/old.cpp"]
 
 
+BROKEN_HEADER = """\
+#include <nav_msgs/msg/odometry.hpp>
+#include <rclcpp/rclcpp.hpp>
+class Odometry : public rclcpp::Node {
+public:
+  Odometry() : Node("odometry") {
+"""
+
+
+@pytest.mark.parametrize(
+    ("cmake", "source", "told"),
+    [
+        ("", "int main() {}", 0),
+        ("", '#include "demo/odometry.hpp"', 1),
+        ("", '#include "../include/demo/odometry.hpp"', 1),
+        ("", '#include "../other/odometry.hpp"', 0),
+        ("", "#include <nav_msgs/msg/odometry.hpp>", 0),  # another header of that name
+        ("install(DIRECTORY include/ DESTINATION include)", "int main() {}", 1),  # for other workspaces
+        ("add_library(demo INTERFACE include/demo/odometry.hpp)", "int main() {}", 1),
+    ],
+)
+def test_a_header_that_nothing_includes_or_installs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, cmake: str, source: str, told: int
+):
+    monkeypatch.chdir(tmp_path)
+    cmake = f"project(demo)\nadd_executable(new src/new.cpp)\n{cmake}\nament_package()\n"
+    files = {"CMakeLists.txt": cmake, "include/demo/odometry.hpp": BROKEN_HEADER, "src/new.cpp": f"{source}\n"}
+    assert unreadable(tmp_path, "ament_cmake", **files) == ["include/demo/odometry.hpp"] * told
+
+
 SETUP = """\
 from setuptools import setup
 setup(name='demo', packages=['demo'], data_files=[{files}],

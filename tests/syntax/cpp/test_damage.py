@@ -121,6 +121,7 @@ def test_a_statement_outside_of_all_functions_is_none() -> None:
         pytest.param("namespace a {\nclass B : public rclcpp::Node { int x MACRO; };\n", id="closed-elsewhere"),
         pytest.param("void f() { g() MACRO h(); }\n}  // opened in the header\nvoid f();\n", id="opened-elsewhere"),
         pytest.param('// create_publisher<(\nauto s = "create_client(" MACRO;\n', id="in-comments-and-texts"),
+        pytest.param('TEST_CASE("it talks")\n{\n  auto p = node->create_publisher<A>("a", 1);\n}\n', id="of-a-macro"),
         pytest.param("template <class T> auto create_client(T t) MACRO { return t; }\n", id="a-function-of-that-name"),
     ],
 )  # fmt: skip

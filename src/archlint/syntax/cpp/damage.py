@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp.calls import GENERIC, METHODS
+from archlint.syntax.cpp.macro_heads import macro_in_front
 from archlint.syntax.cpp.preprocessor import with_whole_branches
 from archlint.syntax.facts import FileProblem
 from archlint.syntax.parts import everything_in
@@ -121,11 +122,12 @@ _NESTED = 10
 
 
 def _is_outside(name: Node) -> bool:
-    """Whether a name stands in a statement outside of all functions, where C++ has none."""
+    """Whether a name stands in a statement outside of all functions, where C++ has none but the braces of a function
+    whose head a macro writes."""
     node = name
     while node.parent is not None and not node.type.endswith(_DEFINITIONS):
         if node.type.endswith("_statement") and node.parent.type in _SCOPES:
-            return True
+            return macro_in_front(node) is None
         node = node.parent
     return False
 

@@ -16,6 +16,7 @@ from archlint.syntax.cpp.damage import problems_of
 from archlint.syntax.cpp.declared import declared
 from archlint.syntax.cpp.literals import number_of, text_of
 from archlint.syntax.cpp.lower_classes import ClassLowering
+from archlint.syntax.cpp.macro_heads import HOLDERS, macro_in_front
 from archlint.syntax.cpp.names import FunctionScope, Names, unnamed
 from archlint.syntax.cpp.parser import parse
 from archlint.syntax.cpp.source import SourceText
@@ -112,7 +113,7 @@ class Lowering(ClassLowering):
             elif space and node.type in ("function_definition", "declaration") and not _is_member(node):
                 for variable in declared(node, self.names, self.source):
                     self.names.placed.setdefault(variable.name, set()).add(space)
-            if node.type in _HOLDERS:
+            if node.type in HOLDERS:
                 waiting.extend((child, space) for child in node.named_children)
 
     # -------------------------------------------------------------------------------- preprocessor, spaces
@@ -157,7 +158,7 @@ class Lowering(ClassLowering):
     def _braces(self, node: Node, body: list[Stmt]) -> None:
         """Outside of functions, braces are the body of one whose head a macro writes, ``TEST_CASE("name") {…}``:
         nothing of it runs with the file."""
-        head = _macro_in_front(node)
+        head = macro_in_front(node)
         if head is None:
             self._inner_statements(node, body)
             return
@@ -179,18 +180,6 @@ class Lowering(ClassLowering):
         self._template_parameters = self.template_parameters(node)
         body.extend(self.block(child for child in node.named_children if child != parameters))
         self._template_parameters = outer
-
-
-def _macro_in_front(node: Node) -> Node | None:
-    """The name of the macro whose call stands in front of braces outside of functions, with no semicolon between."""
-    before = node.prev_named_sibling
-    while before is not None and before.type == "comment":
-        before = before.prev_named_sibling
-    if node.parent is None or node.parent.type not in _HOLDERS or before is None or not before.children:
-        return None
-    call = before.children[0]
-    name = call.child_by_field_name("function") if call.type == "call_expression" else None
-    return name if name is not None and name.type == "identifier" and before.children[-1].is_missing else None
 
 
 def _is_member(node: Node) -> bool:
@@ -219,20 +208,5 @@ def _joined(written: str, span: Span) -> Expr | None:
     fields = [text_of(part) if part.startswith('"') else facts.Field(facts.Name(part, span)) for part in parts]
     return facts.FormatString([field for field in fields if field is not None], span)
 
-
-_HOLDERS = frozenset(
-    {
-        *(
-            "translation_unit",
-            "namespace_definition",
-            "declaration_list",
-            "preproc_ifdef",
-            "preproc_if",
-            "preproc_else",
-        ),
-        *("template_declaration", "linkage_specification", "class_specifier", "struct_specifier"),
-        *("field_declaration_list", "field_declaration"),
-    }
-)
 
 __all__ = ["lower"]
