@@ -659,6 +659,16 @@ def test_the_first_folder_of_a_call_comes_first(findings):
     assert "'worlds'" in other.message
 
 
+def test_the_first_folder_of_a_file_comes_first(findings):
+    lines = "\n".join(f"install(DIRECTORY {folder}/ DESTINATION share/robot/{folder})" for folder in ("meshes", "rviz"))
+    files = {"CMakeLists.txt": BUILD.format(lines), ".gitignore": "*.stl\n"}
+    (finding,) = findings("PKG004", **OF_CMAKE, **files)
+    assert finding.message.startswith(
+        "install() lists a folder that is not there: the build stops at 'meshes'; another"
+    )
+    assert [related.message.endswith("the build stops at 'rviz'") for related in finding.related] == [True]
+
+
 @pytest.mark.parametrize(
     ("files", "meant"),
     [

@@ -337,17 +337,14 @@ _BUILT = (".so", ".a", ".onnx", ".pt", ".pth", ".engine")
 
 def _needed_in_vain(workspace: WorkspaceIndex, installs: Installs) -> Iterator[ListedInVain]:
     """What CMake files list and is not there; git keeps no empty folder, so that a new clone does not have one.  A
-    folder of which git may ignore all files counts where the command names something else that is not there."""
+    folder of which git may ignore all files counts where the same file lists something else that is not there: the
+    build stops at the first of them."""
     rows = [(needed, below) for needed in installs.needed if (below := _missing(workspace, installs, needed))]
-    sure = {_call_of(needed) for needed, _ in rows if not is_ignored(workspace, needed.path)}
+    sure = {(needed.place.file, needed.command) for needed, _ in rows if not is_ignored(workspace, needed.path)}
     for needed, below in rows:
-        if _call_of(needed) in sure:
+        if (needed.place.file, needed.command) in sure:
             within = _absent_folder(workspace, installs, f"{below}/" if needed.folder else below)
             yield ListedInVain(needed.place, below, command=f"{needed.command}()", folder=needed.folder, within=within)
-
-
-def _call_of(needed: NeededSource) -> tuple[str, str, int]:
-    return needed.place.file, needed.command, needed.line
 
 
 def _missing(workspace: WorkspaceIndex, installs: Installs, needed: NeededSource) -> str | None:
