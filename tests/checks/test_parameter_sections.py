@@ -73,6 +73,18 @@ def test_a_file_that_another_launch_file_may_be_given(findings, given: str, told
     assert [one.identity[1] for one in found] == ["/second/watcher"] * told
 
 
+@pytest.mark.parametrize("key", ["talker", "walker"])
+def test_the_name_that_the_code_gives_the_node(findings, key: str):
+    """It is right for who starts the node without the launch file."""
+    (told,) = findings("PRM005", node(LOAD_IT, name="front_speaker"), **{"config/p.yaml": f"{key}: {RATE}\n"})
+    if key == "talker":
+        assert told.help.startswith("take the name off the node in the launch file, or write '/front_speaker:'")
+        assert [(row.place.line, row.message) for row in told.related] == [(1, "this calls it '/front_speaker'")]
+    else:
+        assert told.help == "nodes that load this file: /front_speaker"
+        assert told.related == ()
+
+
 def test_a_key_that_the_file_has_already_is_no_advice(findings):
     yaml = f"talker: {RATE}\ntlaker: {RATE}\n"
     (told,) = findings("PRM005", node(LOAD_IT), **{"config/p.yaml": yaml})

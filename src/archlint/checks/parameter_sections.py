@@ -107,8 +107,24 @@ def _judged(
     if not near and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
         return None
     loaders = {node.name for node in started if _loads(node, file)}
+    renamed = next((node for node in started if _loads(node, file) and _own_name(node) == last), None)
+    if renamed is not None and not namespace.strip("/"):
+        return _renamed(_finding(place, key, near, ""), renamed)
     help = f"nodes that load this file: {listed(sorted(loaders or {node.name for node in started}))}"
     return _finding(place, key, near, help)
+
+
+def _own_name(loader: _Loader) -> str | None:
+    """The name that the code of a node gives it."""
+    return None if loader.node.blueprint is None else loader.node.blueprint.name.text
+
+
+def _renamed(told: Finding, loader: _Loader) -> Finding:
+    """The key is right for a node that is started without launch: what is to be changed may be the launch file."""
+    help = f"take the name off the node in the launch file, or write '{loader.name}:' if nothing else starts it"
+    at = loader.node.launch_place
+    related = () if at is None else (Related(at, f"this calls it '{loader.name}'"),)
+    return replace(told, help=help, related=related)
 
 
 def _loads(loader: _Loader, file: str) -> bool:
@@ -141,7 +157,10 @@ def _one_for_a_file(several: Sequence[Finding]) -> Finding:
     return replace(
         first,
         message=f"no launch file that loads this file starts any of these {len(keys)} nodes: {listed(keys)}{instead}",
-        related=tuple(Related(other.place, f"'{other.identity[1]}'{_hint(other.meant)}") for other in others),
+        related=(
+            *first.related,
+            *(Related(other.place, f"'{other.identity[1]}'{_hint(other.meant)}") for other in others),
+        ),
         identity=(first.identity[0], *keys),
     )
 
