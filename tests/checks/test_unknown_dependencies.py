@@ -389,12 +389,22 @@ def test_what_is_no_package_at_all(judge: Judge, name: str, help: str):
     assert (told.severity, told.help, told.place.line) == (Severity.WARNING, help, 3)
 
 
-def test_a_name_that_nothing_else_has(judge: Judge):
-    (told,) = judge("<depend>rclpy</depend>", "<depend>acme_interfaces</depend>")
-    assert told.message == (
-        "'acme_interfaces' is neither a ROS package nor a key of rosdep, which stops here, and nothing uses it"
+@pytest.mark.parametrize(
+    ("name", "help"),
+    [
+        ("acme_interfaces", "remove the line, unless a package from elsewhere is meant"),
+        (
+            "acme_lidar_ros2",
+            "bring its source into the workspace, as with a .repos file, or remove the line if nothing needs it",
+        ),
+    ],
+)
+def test_a_name_that_nothing_else_has(judge: Judge, name: str, help: str):
+    (told,) = judge("<depend>rclpy</depend>", f"<depend>{name}</depend>")
+    assert (
+        told.message == f"'{name}' is neither a ROS package nor a key of rosdep, which stops here, and nothing uses it"
     )
-    assert (told.severity, told.place.line) == (Severity.INFO, 4)
+    assert (told.severity, told.place.line, told.help) == (Severity.INFO, 4, help)
 
 
 @pytest.mark.parametrize(

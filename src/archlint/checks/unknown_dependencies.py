@@ -192,9 +192,16 @@ def _finding(package: Package, dependency: Dependency, meant: str, help: str) ->
     return _told(package, dependency, meant, message, help)
 
 
+_OF_A_PACKAGE = frozenset({"driver", "drivers", "ros", "ros2"})
+"""Words of names that only a package has, which is built from its source where it is not released."""
+
+
 def _idle(package: Package, dependency: Dependency) -> Finding:
     message = f"'{dependency.name}' is neither a ROS package nor a key of rosdep, which stops here, and nothing uses it"
-    told = _told(package, dependency, "", message, "remove the line, unless a package from elsewhere is meant")
+    help = "remove the line, unless a package from elsewhere is meant"
+    if not _OF_A_PACKAGE.isdisjoint(dependency.name.split("_")):
+        help = "bring its source into the workspace, as with a .repos file, or remove the line if nothing needs it"
+    told = _told(package, dependency, "", message, help)
     return replace(told, severity=Severity.INFO, group=("idle",))
 
 
