@@ -133,6 +133,27 @@ def generate_launch_description():
     assert [one.severity for one in findings("LCH005", **{f"launch/{name}.launch.py": text})] == [severity]
 
 
+@pytest.mark.parametrize(
+    ("old", "told"),
+    [
+        ("start_dashing.launch.py", 0),
+        ("dashing_start.launch.py", 0),
+        ("dashing_walk.launch.py", 1),
+        ("arm.launch.py", 1),
+    ],
+)
+def test_a_file_for_an_old_release_beside_the_one_for_later_releases(findings, old: str, told: int):
+    text = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', KEYWORD='talker')])
+"""
+    newer = {"launch/start.launch.py": text.replace("KEYWORD", "executable")}
+    assert len(findings("LCH005", **newer, **{f"launch/{old}": text.replace("KEYWORD", "node_executable")})) == told
+
+
 def test_an_include_takes_arguments_and_nothing_else(findings):
     inner = "<arg name='a' value='1'/><param name='b' value='2'/>"
     (told,) = findings("LCH005", f"<include file='$(find-pkg-share robot)/launch/other.launch.xml'>{inner}</include>")

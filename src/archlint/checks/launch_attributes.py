@@ -18,7 +18,7 @@ from archlint.suggestions import did_you_mean, distance, nearest
 
 if TYPE_CHECKING:
     from archlint.launch.mistakes import UnknownAttribute
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
 
 _RENAMED = {
     "node_name": "name",
@@ -49,6 +49,9 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
     for wrong in every:
         if is_for_several_distros(system.workspace, wrong.place.file):
             continue
+        is_old = _was_renamed(wrong) and _is_for_an_old_release(wrong.place.file)
+        if is_old and _has_successor(system.workspace, wrong.place.file):
+            continue
         if _was_renamed(wrong) and is_from_before_galactic(system.workspace):
             continue  # right where it is to run
         renamed = _RENAMED.get(wrong.name)
@@ -68,7 +71,6 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
             identity=(wrong.action, wrong.name),
             group=(_OLD,) if wrong.place.file in old else (wrong.place.file,),
         )
-        is_old = _was_renamed(wrong) and _is_for_an_old_release(wrong.place.file)
         yield replace(diagnostic, severity=Severity.INFO) if is_old else diagnostic
 
 
@@ -89,8 +91,20 @@ _LONG = 7
 
 def _is_for_an_old_release(file: str) -> bool:
     """Whether a file is called after one of them, be it with a slip."""
-    words = re.findall("[a-z]+", posixpath.basename(file))
-    return any(distance(word, name, 1) <= int(len(name) >= _LONG) for word in words for name in _OLD_RELEASES)
+    return any(map(_is_old_release, re.findall("[a-z]+", posixpath.basename(file))))
+
+
+def _is_old_release(word: str) -> bool:
+    return any(distance(word, name, 1) <= int(len(name) >= _LONG) for name in _OLD_RELEASES)
+
+
+def _has_successor(workspace: WorkspaceIndex | None, file: str) -> bool:
+    """Whether the file for the releases since then lies beside one for an old one: ``start.py`` beside
+    ``dashing_start.py``."""
+    folder, name = posixpath.split(file)
+    words = (match for match in re.finditer("[a-z]+", name) if _is_old_release(match[0]))
+    newer = (f"{name[: match.start()].rstrip('_-.')}{name[match.end() :]}".lstrip("_-.") for match in words)
+    return workspace is not None and any(workspace.tree.is_file(posixpath.join(folder, other)) for other in newer)
 
 
 @folds("LCH005", across_systems=True)
