@@ -605,6 +605,25 @@ def test_a_node_may_read_its_parameter_file_itself(findings, read: str, count: i
     assert len(findings("file", yaml=yaml, talker=TALKER + read)) == count
 
 
+READS_IT_IN_CPP = """
+#include <rclcpp/rclcpp.hpp>
+#include <yaml-cpp/yaml.h>
+
+class Arm : public rclcpp::Node {
+public:
+  explicit Arm(const std::string & share) : Node("arm"), config_(YAML::LoadFile(share + "/config/FILE")) {}
+  YAML::Node config_;
+};
+"""
+
+
+@pytest.mark.parametrize(("file", "count"), [("p.yaml", 0), ("q.yaml", 1)])
+def test_a_node_in_cpp_may_read_the_parameter_file_itself(findings, tmp_path: Path, file: str, count: int):
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src/arm.cpp").write_text(READS_IT_IN_CPP.replace("FILE", file))
+    assert len(findings("file", yaml="talker:\n  ros__parameters:\n    pose: [0.0]\n")) == count
+
+
 @pytest.mark.parametrize(("key", "count"), [("pose", 0), ("gain", 1)])
 def test_a_launch_file_reads_the_keys_that_it_asks_for(findings, key: str, count: int):
     taken = f"yaml.safe_load(open(file))['talker']['ros__parameters']['{key}']"

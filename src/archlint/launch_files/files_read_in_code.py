@@ -1,4 +1,4 @@
-"""Parameter files that Python code reads itself, or tests do: what stands there is used, though no node declares it."""
+"""Parameter files that code reads itself, or tests do: what stands there is used, though no node declares it."""
 
 from __future__ import annotations
 
@@ -15,14 +15,17 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
 _LOADERS = frozenset({"safe_load", "full_load", "unsafe_load", "load"})
+_CPP_LOADER = "LoadFile"
 
 
 def is_read_in_code(workspace: WorkspaceIndex | None, file: str, key: str) -> bool:
-    """Whether code that names a YAML file loads YAML, and so may use what is there: a node all of it, a launch file
-    what it asks for by ``key``."""
+    """Whether code that names a YAML file loads YAML, and so may use what is there: a node all of it, be it in C++
+    (``YAML::LoadFile(…)``), a launch file what it asks for by ``key``."""
     if workspace is None:
         return False
     name = posixpath.basename(file)
+    if any(workspace.code.mentions(path, name) for path in workspace.code.cpp_files_that_mention(_CPP_LOADER)):
+        return True
     readers = (path for path in workspace.code.files_that_mention("yaml") if workspace.code.mentions(path, name))
     if any(_keys_asked_for(workspace, path) is not None for path in readers):
         return True
