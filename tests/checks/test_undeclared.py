@@ -861,15 +861,6 @@ def with_other(find: str, *tags: str) -> dict[str, str]:
 FIND_OTHER = "find_package(arm_msgs REQUIRED)"
 
 
-def test_a_package_that_the_build_needs_and_that_is_declared_to_run(lint: Lint):
-    (one,) = lint(with_other(FIND_OTHER, *depends("arm_msgs", tag="exec_depend")))
-    assert one.message == "package 'robot' builds with 'arm_msgs', which its package.xml declares to run only"
-    assert one.help == (
-        "write <depend>arm_msgs</depend> instead of its <exec_depend>: colcon may build it after this package"
-    )
-    assert one.sites is None  # a <depend> beside the <exec_depend> would be refused
-
-
 LINT = "if(BUILD_TESTING)\nfind_package(ament_lint_auto REQUIRED)\nendif()"
 
 
@@ -896,22 +887,11 @@ def test_format_1_has_a_line_for_the_build_and_one_for_running(lint: Lint):
     assert added(told) == "  <build_depend>std_srvs</build_depend>\n  <run_depend>std_srvs</run_depend>\n"
 
 
-def test_what_is_declared_to_run_beside_what_is_not_declared(lint: Lint):
-    find = f"{FIND_OTHER}\nfind_package(rclcpp REQUIRED)\nfind_package(std_srvs REQUIRED)"
-    (told,) = lint(with_other(find, *depends("arm_msgs", tag="exec_depend")))
-    assert told.message.endswith("does not declare: arm_msgs, rclcpp, std_srvs (arm_msgs: to run only)")
-    assert told.help == (
-        "write <depend>arm_msgs</depend> instead of its <exec_depend>; "
-        "add a line like <depend>rclcpp</depend> for each to robot/package.xml"
-    )
-    assert "arm_msgs" not in (added(told) or "") and "rclcpp" in (added(told) or "")
-
-
 @pytest.mark.parametrize(
     ("find", "tags"),
     [
         (FIND_OTHER, depends("arm_msgs", tag="depend")),
-        (FIND_OTHER, [*depends("arm_msgs", tag="exec_depend"), *depends("arm_msgs", tag="build_depend")]),
+        (FIND_OTHER, depends("arm_msgs", tag="exec_depend")),  # colcon builds it first, too
         (FIND_OTHER, [*depends("arm_msgs", tag="test_depend")]),
         (f"if(BUILD_TESTING)\n{FIND_OTHER}\nendif()", depends("arm_msgs", tag="exec_depend")),
         ("find_package(std_msgs REQUIRED)", depends("std_msgs", tag="exec_depend")),  # there before the workspace is
@@ -1064,13 +1044,12 @@ def test_a_trial_is_built_like_anything_else(lint):
     assert found.place.file == "robot_testing/src/talker.cpp"
 
 
-def test_what_a_package_needs_when_it_runs_brings_no_headers(lint):
-    """tf2_geometry_msgs needs tf2_ros, which is there for a build only if that build needs the former."""
-    (found,) = lint(of_cpp("<exec_depend>tf2_geometry_msgs</exec_depend>"))
-    assert found.message == "package 'robot' includes headers of 'tf2_ros', which its package.xml does not declare"
-    assert lint(of_cpp("<depend>tf2_geometry_msgs</depend>")) == []
-    assert lint(of_cpp("<build_depend>tf2_geometry_msgs</build_depend>")) == []
-    assert lint(of_cpp("<exec_depend>tf2_ros</exec_depend>")) == []
+def test_what_a_package_needs_to_run_is_built_before_it_too(lint):
+    """tf2_geometry_msgs needs tf2_ros: rosdep installs both."""
+    for tag in ("exec_depend", "build_depend", "depend"):
+        assert lint(of_cpp(f"<{tag}>tf2_geometry_msgs</{tag}>")) == []
+        assert lint(of_cpp(f"<{tag}>tf2_ros</{tag}>")) == []
+    assert len(lint(of_cpp("<test_depend>tf2_geometry_msgs</test_depend>"))) == 1
 
 
 # ---------------------------------------------------------------------------------------- files of other packages

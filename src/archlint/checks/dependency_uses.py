@@ -139,7 +139,7 @@ class _Known:
     def __init__(self, workspace: WorkspaceIndex, options: Options) -> None:
         self._workspace = workspace
         self._external = options.external
-        self._there: dict[tuple[str, bool], frozenset[str]] = {}
+        self._there: dict[str, frozenset[str]] = {}
         self._homes: dict[str, Package | None] = {}
 
     def home(self, file: str) -> Package | None:
@@ -149,14 +149,13 @@ class _Known:
         return self._homes[folder]
 
     def declares(self, file: str, use: Use) -> bool:
-        """Whether a package is there wherever that around a file is installed; one of headers, where it is built."""
+        """Whether a package is there wherever that around a file is installed."""
         package, needed = self.home(file), use.needed
         if package is None:
             return False
-        key = package.relative, use.how == "includes headers of"
-        if key not in self._there:
-            self._there[key] = _there(self._workspace, package, for_builds=key[1])
-        there = self._there[key]
+        there = self._there.get(package.relative)
+        if there is None:
+            there = self._there[package.relative] = _there(self._workspace, package)
         return bool({needed, _ALSO.get(needed)} & there) or needed in self._external or self._of_family(needed, there)
 
     def declares_for_tests(self, file: str, needed: str) -> bool:
@@ -176,7 +175,6 @@ class _Known:
 # ------------------------------------------------------------------------------------------- what is declared
 
 _AT_RUN_TIME: frozenset[DependencyKind] = frozenset({"depend", "exec", "run", "build_export", "buildtool_export"})
-_RUNS: frozenset[DependencyKind] = frozenset({"exec", "run"})
 FOR_OTHERS: frozenset[DependencyKind] = frozenset({"test", "doc"})
 """What these declare is not installed where nodes run."""
 
@@ -184,12 +182,11 @@ _ALSO = {"tf2_ros": "tf2_ros_py", "tf2_ros_py": "tf2_ros", "launch": "launch_ros
 """The same thing as far as a manifest is concerned: the tutorials declare either one."""
 
 
-def _there(workspace: WorkspaceIndex, package: Package, *, for_builds: bool) -> frozenset[str]:
-    """The package itself, what it declares, what these need when they run, what that needs …: all installed.  A package
-    that this one needs only when it runs brings nothing to its build."""
+def _there(workspace: WorkspaceIndex, package: Package) -> frozenset[str]:
+    """The package itself, what it declares, what these need when they run, what that needs …: all installed, and built
+    before it."""
     declared = [d for d in package.dependencies if d.kind not in FOR_OTHERS and condition_holds(d.condition)]
-    bringing = [d.name for d in declared if not for_builds or d.kind not in _RUNS]
-    there = closure(bringing, lambda name: brought_by(name, workspace))
+    there = closure([d.name for d in declared], lambda name: brought_by(name, workspace))
     return there | {package.name, *(d.name for d in declared)}
 
 

@@ -125,25 +125,13 @@ def _message(workspace: WorkspaceIndex, package: Package, first: Use, needed: Se
     for_tests = [name for name in needed if name in declared]
     if len(needed) == 1:
         verb = "declares for tests only" if for_tests else "does not declare"
-        verb = "declares to run only" if first.needed in _to_run_only(package) else verb
         what = f"package '{package.name}' {first.how} '{first.needed}', which its package.xml {verb}"
         return what + _hint(workspace, package, first)
     more = f" and {len(needed) - _NAMED} more" if len(needed) > _NAMED else ""
     listed = ", ".join(needed[:_NAMED]) + more
-    to_run = [name for name in needed if name in _to_run_only(package)]
-    kinds = ((for_tests, "for tests only"), (to_run, "to run only"))
-    partly = "; ".join(f"{', '.join(names[:_NAMED])}: {kind}" for names, kind in kinds if names)
+    partly = f"{', '.join(for_tests[:_NAMED])}: for tests only" if for_tests else ""
     what = f"package '{package.name}' uses {len(needed)} packages that its package.xml does not declare"
     return f"{what}: {listed}" + (f" ({partly})" if partly else "")
-
-
-def _to_run_only(package: Package) -> set[str]:
-    """What a manifest declares as an ``exec_depend`` and as nothing else."""
-    kinds: dict[str, set[str]] = {}
-    for dependency in package.dependencies:
-        if condition_holds(dependency.condition):
-            kinds.setdefault(dependency.name, set()).add(dependency.kind)
-    return {name for name, own in kinds.items() if own <= {"exec", "run"}}
 
 
 def _hint(workspace: WorkspaceIndex, package: Package, use: Use) -> str:
@@ -165,15 +153,10 @@ def _help(workspace: WorkspaceIndex, package: Package, by_needed: Mapping[str, S
     needed = sorted(by_needed)
     if not package.in_export.keys().isdisjoint(needed):
         return f"declare {'it' if len(needed) == 1 else 'each'} outside of <export>: entries inside it do not count"
-    to_run = [name for name in needed if name in _to_run_only(package) and package.format > 1]
     wrong = {name: entry for name in needed if (entry := _misspelt(workspace, package, name)) is not None}
-    others = [name for name in needed if name not in to_run and name not in wrong]
+    others = [name for name in needed if name not in wrong]
     manifest = package.manifest.relative
     cures = [f"write '{name}' for '{entry.name}' in line {entry.line} of {manifest}" for name, entry in wrong.items()]
-    if to_run:
-        later = ": colcon may build it after this package" if len(needed) == 1 else ""
-        rest = "" if len(to_run) == 1 else f", and so for {', '.join(to_run[1:_NAMED])}"
-        cures.append(f"write <depend>{to_run[0]}</depend> instead of its <exec_depend>{later}{rest}")
     if others:
         cures.append(f"add {_lines(package, by_needed, others)} to {manifest}")
     return "; ".join(cures)
@@ -268,7 +251,7 @@ def _tags(package: Package, uses: Sequence[Use]) -> tuple[str, ...]:
 def _sites(workspace: WorkspaceIndex, package: Package, by_needed: Mapping[str, Sequence[Use]]) -> Sites | None:
     """What a fix adds to the manifest: only packages that are known, of this workspace or of rosdistro.  Format 1
     refuses one that is declared for tests, too; and who leaves a package out of a build decides what depends on it."""
-    taken = {d.name for d in package.dependencies if package.format == 1} | _to_run_only(package)
+    taken = {d.name for d in package.dependencies if package.format == 1}
     known = workspace.packages.keys() | packages.table().names
     names = tuple(
         name for name in sorted(by_needed) if name in known and name not in taken and name not in package.in_export

@@ -1,8 +1,8 @@
 """The ROS packages that CMake files ask for, held against package.xml.
 
 Source: ``find_package(… REQUIRED)`` of CMake stops a build without the package; colcon builds what package.xml names
-first, and rosdep installs no more than that.  What is needed to run alone colcon may build later, and its prefix is not
-there then (``get_packages`` of colcon-core, ``direct_categories=('build',)``).
+first, be it needed to run alone (``get_recursive_dependencies`` of colcon-core asks for direct dependencies of all
+categories, and for those of these that are needed to run), and rosdep installs no more than that.
 """
 
 from __future__ import annotations
@@ -51,27 +51,15 @@ def packages_to_declare(
         if _CMAKE_OF_ROS in declared:
             declared.add(_CMAKE)
         there = closure([package.name, *declared], brought_by)
-        at_build = there - _built_later(workspace, package, brought_by)
         asked_for = [*installs.required, *_generators(installs)]
         own = [asked for asked in asked_for if folder == "." or asked.place.file.startswith(f"{folder}/")]
         for asked in own:
-            before = there if asked.of_tests else at_build
-            if asked.name not in known or asked.name in before or _is_of_system(asked.name, declared - known):
+            if asked.name not in known or asked.name in there or _is_of_system(asked.name, declared - known):
                 continue
             if asked.name.endswith(_MODULE) and there - known - rosdep.keys():
                 continue
             yield package, asked
 
-
-def _built_later(workspace: WorkspaceIndex, package: Package, brought_by: Callable[[str], set[str]]) -> set[str]:
-    """The packages of the workspace that a manifest declares to run alone, and that nothing brings to the build."""
-    declared = [d for d in package.dependencies if condition_holds(d.condition) is not False]
-    builds = closure([d.name for d in declared if d.kind in _WHEN_BUILDING], brought_by)
-    return {d.name for d in declared if d.kind in _WHEN_RUNNING and d.name in workspace.packages} - builds
-
-
-_WHEN_RUNNING = frozenset({"exec", "run"})
-_WHEN_BUILDING = frozenset({"depend", "build", "buildtool"})
 
 _GENERATORS = "rosidl_default_generators"
 
