@@ -28,6 +28,12 @@ VALUE = "self.get_parameter('it').get_parameter_value()"
         ("'a'", "string_array_value", "'string_array_value' is always empty here: the parameter 'it' is a string"),
         ("[1.5]", "double_value", "'double_value' is always 0.0 here: the parameter 'it' is a double array"),
         ("True", "integer_value", "'integer_value' is always 0 here: the parameter 'it' is a bool"),
+        ("[]", "double_value", "'double_value' is always 0.0 here: the parameter 'it' is a byte array"),
+        (
+            "Parameter.Type.BYTE_ARRAY",
+            "double_array_value",
+            "'double_array_value' is always empty here: the parameter 'it' is a byte array",
+        ),
         ("Parameter.Type.STRING", "bool_value", "'bool_value' is always False here: the parameter 'it' is a string"),
     ],
 )
@@ -47,6 +53,7 @@ def test_a_value_that_is_read_as_it_is_declared(judge: Judge):
     [
         ("self.declare_parameter('it', 1000)", f"{VALUE}.integer_value"),
         ("self.declare_parameter('it', [1, 2])", f"{VALUE}.integer_array_value"),
+        ("self.declare_parameter('it', [])", f"{VALUE}.integer_array_value"),  # empty, as the default is
         ("self.declare_parameter('it', 1000)", f"{VALUE}.type"),
         ("self.declare_parameter('it', self.default())", f"{VALUE}.double_value"),
         ("self.declare_parameter('it', 1, ParameterDescriptor(dynamic_typing=True))", f"{VALUE}.double_value"),

@@ -6,7 +6,7 @@ set; the others keep what a new message has.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
@@ -20,6 +20,7 @@ from archlint.syntax.parts import everything_in
 from archlint.workspace.kinds import is_cpp
 
 if TYPE_CHECKING:
+    from archlint.model import ParameterDeclaration
     from archlint.ros.parameter_types import ParameterType
     from archlint.systems.model import System
     from archlint.systems.nodes import Node
@@ -73,9 +74,16 @@ def wrong_members(system: System) -> Iterator[WrongMember]:
                         yield WrongMember(wrong.place, node, str(name), wrong.called, kind, declared_at, wrong.right)
                     continue
                 for read in _member_reads(system, place):
-                    if read.attr in EMPTY and read.attr != f"{kind}_value":
+                    if read.attr in EMPTY and read.attr != f"{kind}_value" and not _is_as_empty(rows, read.attr):
                         whole = Place(place.file, *read.span)
                         yield WrongMember(whole, node, str(name), read.attr, kind, rows[0].place)
+
+
+def _is_as_empty(rows: Sequence[ParameterDeclaration], member: str) -> bool:
+    """Whether a list is read of a parameter that is declared with an empty one, which rclpy takes for a byte array: it
+    is empty, as the default is, and what sets a list of another type is refused (PRM002)."""
+    of_nothing = all(row.type == "byte_array" and not row.without_default for row in rows)
+    return of_nothing and member.endswith("_array_value")
 
 
 def _member_reads(system: System, place: Place) -> list[facts.Attribute]:
