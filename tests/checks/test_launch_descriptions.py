@@ -195,6 +195,16 @@ def test_an_action_that_may_be_added_or_is_put_aside(findings, rest):
     assert findings("LCH008", **_file(rest)) == []
 
 
+@pytest.mark.parametrize(("switches", "told"), [(("planner", "camera"), 0), (("planner",), 1)])
+def test_what_a_board_of_switches_leaves_out(findings, switches: tuple[str, ...], told: int):
+    lines = ["run = []"]
+    for name in switches:
+        lines += [f"with_{name} = False", f"{name} = Node(package='robot', executable='{name}')"]
+        lines += [f"if with_{name}:", f"    run.append({name})"]
+    file = _file("\n    ".join([*lines, "return LaunchDescription(run)"]))
+    assert len(findings("LCH008", **file)) == told
+
+
 def test_what_is_made_beside_an_action_that_is_put_aside(findings):
     made = "planner = Node(package='robot', executable='planner')\n    return LaunchDescription([{}])"
     assert findings("LCH008", **_file(made.format("\n        # talker,\n    "))) == []

@@ -260,11 +260,32 @@ class _Code:
             return
         for function in everything_in(self.body, facts.Function):
             rows = [a for a in parts_of(function, facts.Assign) if self.made(a.value) in _ADDED]
+            rows = [] if self._has_switches(function) else rows
             for assign in rows:
                 match assign.targets:
                     case [facts.Name(id=name, span=span)] if names[name] == 1 and not name.startswith("_"):
                         declared = _declared(assign.value) if self.made(assign.value) == _DECLARATION else ""
                         yield WrongDescription(Wrong.NOT_ADDED, span, name, self.made(assign.value), argument=declared)
+
+    def _has_switches(self, function: facts.Function) -> bool:
+        """Whether a function adds actions where variables say so that somebody sets by hand: ``if with_camera:``.  What
+        such a board does not add at all is left out like the rest."""
+        constants = (assign for assign in everything_in(self.body, facts.Assign) if _is_switch(assign.value))
+        set_by_hand = {target.variable for assign in constants for target in assign.targets} - {None}
+        choices = (choice for choice in parts_of(function, facts.If) if choice.test.variable in set_by_hand)
+        return sum(any(map(_adds, everything_in(choice.body, facts.Call))) for choice in choices) >= _SWITCHES
+
+
+_SWITCHES = 2
+"""With as many switches a launch file is a board of them."""
+
+
+def _is_switch(value: facts.Expr) -> bool:
+    return isinstance(value, facts.Literal) and isinstance(value.value, bool)
+
+
+def _adds(call: facts.Call) -> bool:
+    return call.func.last_name in ("add_action", "append", "extend")
 
 
 def _declared(call: facts.Expr) -> str:
