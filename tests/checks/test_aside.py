@@ -12,6 +12,7 @@ from archlint.config.settings import Settings, load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Severity
 from archlint.workspace.test_code import FileRoles
+from robot_package import manifest, write_files
 
 NODE = """
 import rclpy
@@ -232,6 +233,21 @@ def test_what_only_a_script_that_is_not_installed_imports(named, files: dict[str
 def test_a_script_beside_the_packages(named):
     functions = NODE.partition("if __name__")[0]
     assert named({"../tools/smoke.py": NODE}) == named({"../tools/smoke.py": functions}) == []
+
+
+@pytest.mark.parametrize(("folder", "may"), [("scripts", True), ("tools", False)])
+def test_a_script_beside_the_packages_that_one_of_them_may_install(tmp_path: Path, monkeypatch, folder: str, may: bool):
+    monkeypatch.chdir(tmp_path)
+    cmake = (
+        "cmake_minimum_required(VERSION 3.8)\nproject(robot)\nfind_package(ament_cmake REQUIRED)\n"
+        "get_filename_component(ABOVE ${CMAKE_CURRENT_SOURCE_DIR}/.. ABSOLUTE)\n"
+        "install(DIRECTORY ${ABOVE}/scripts/ DESTINATION lib/${PROJECT_NAME})\nament_package()\n"
+    )
+    files = {"robot/CMakeLists.txt": cmake, "robot/package.xml": manifest(build_type="ament_cmake")}
+    wrong = "import rclpy\n\nrclpy.init()\nrclpy.spinn(rclpy.create_node('smoke'))\n"
+    write_files(tmp_path, {**files, f"{folder}/smoke.py": wrong, "archlint.toml": 'select = ["API002"]\n'})
+    [told] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert told.message.endswith("no installed program uses this file") != may
 
 
 def test_a_script_where_there_is_no_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):

@@ -193,7 +193,15 @@ def _reached_by_loose(workspace: WorkspaceIndex) -> frozenset[str]:
 def _stray(workspace: WorkspaceIndex) -> frozenset[str]:
     """The scripts that lie beside the packages, and all that they import."""
     beside = [file.relative for file, _ in workspace.code.asked_for() if file.kind == "python" and file.package is None]
-    return workspace.code.reached_from(path for path in beside if _is_script(workspace, path))
+    scripts = (path for path in beside if not _may_be_installed(workspace, path))
+    return workspace.code.reached_from(path for path in scripts if _is_script(workspace, path))
+
+
+def _may_be_installed(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a package installs more than is known, and its CMake files have a word for the folder of a file that lies
+    beside it: ``install(DIRECTORY ${PARENT_DIR}/scripts/ …)``."""
+    folder = posixpath.basename(posixpath.dirname(file))
+    return any(installs.open_executables and folder in installs.words for installs in workspace.installs.values())
 
 
 def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
