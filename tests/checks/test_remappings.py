@@ -48,6 +48,15 @@ def test_a_node_that_hands_itself_out_may_have_more_names(findings):
     assert findings("LCH002", node('<remap from="odom" to="x"/>'), **{"robot/talker.py": text}) == []
 
 
+def test_a_container_does_not_pass_its_remappings_on(findings):
+    container = (
+        '<node pkg="rclcpp_components" exec="component_container" name="box"><remap from="/chatter" to="x"/></node>'
+    )
+    (found,) = findings("LCH002", container + node())
+    assert found.help == "write it on the ComposableNode: a container does not pass its remappings on"
+    assert findings("LCH002", container + node('<remap from="/chatter" to="x"/>')) == []
+
+
 def test_dead_remappings_of_one_node_are_one_finding(findings):
     remaps = '<remap from="odom" to="a"/>\n<remap from="chatter" to="b"/>\n<remap from="scan" to="c"/>'
     copy = {"launch/more.launch.xml": f"<launch>{node(remaps)}</launch>"}

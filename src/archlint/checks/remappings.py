@@ -25,6 +25,7 @@ from archlint.systems.resolution import endpoint_name
 
 if TYPE_CHECKING:
     from archlint.finding import Place
+    from archlint.launch.model import Launched
     from archlint.launch.started import Remap, Started
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Node
@@ -39,8 +40,28 @@ def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
         if all(_has_all_names(node) for node in nodes):
             for remap in started.remaps:
                 dead = None if remap.group else _dead(system, remap, nodes, started)
-                if dead is not None and not _live_elsewhere(system, remap):
+                if dead is None or _live_elsewhere(system, remap):
+                    continue
+                if _is_container(started):
+                    if not _is_done_by_another(system.launched, started, remap):
+                        yield replace(_finding(remap, nodes, dead), help=_ON_THE_COMPONENT)
+                else:
                     yield _finding(remap, nodes, dead)
+
+
+_ON_THE_COMPONENT = "write it on the ComposableNode: a container does not pass its remappings on"
+
+
+def _is_container(started: Started) -> bool:
+    executable = started.executable.text or ""
+    return started.package.text == "rclcpp_components" and executable.startswith("component_container")
+
+
+def _is_done_by_another(launched: Launched, started: Started, remap: Remap) -> bool:
+    """Whether something else that the launch file starts has a remapping of the same name: that of a container, as Nav2
+    writes it, is a copy then, and what it is meant for comes about."""
+    others = (other for other in launched.started if other is not started)
+    return any(row.source.text == remap.source.text for other in others for row in other.remaps)
 
 
 def _by_started(system: System) -> list[tuple[Started, list[Node]]]:
