@@ -807,6 +807,11 @@ def built(find: str, *tags: str) -> dict[str, str]:
         ("find_package(rosidl_default_generators REQUIRED)", "builds with 'rosidl_default", "buildtool_depend"),
         ("find_package(eigen3_cmake_module REQUIRED)", "builds with 'eigen3_cmake_module'", "buildtool_depend"),
         ("if(BUILD_TESTING)\nfind_package(ament_lint_auto REQUIRED)\nendif()", "builds its tests with", "test_depend"),
+        (
+            "# set(BUILD_TESTING OFF)\nif(BUILD_TESTING)\nfind_package(ament_lint_auto REQUIRED)\nendif()",
+            "builds its tests with",
+            "test_depend",
+        ),
         ("foreach(name std_srvs)\nfind_package(${name} REQUIRED)\nendforeach()", "builds with 'std_srvs'", "depend"),
     ],
 )
@@ -829,6 +834,7 @@ def test_what_cmake_asks_for(lint: Lint, find: str, message: str, tag: str):
         ("find_package(eigen3_cmake_module REQUIRED)", depends("flight_lib")),  # nobody knows what that exports
         ("if(WITH_NODE)\nfind_package(rclcpp REQUIRED)\nendif()", []),
         ("if(BUILD_TESTING)\nelse()\nfind_package(rclcpp REQUIRED)\nendif()", []),
+        ("set(BUILD_TESTING OFF)\nif(BUILD_TESTING)\nfind_package(rclcpp REQUIRED)\nendif()", []),
         ("if(BUILD_TESTING)\nif(WITH_NODE)\nfind_package(rclcpp REQUIRED)\nendif()\nendif()", []),
         ("if(WIN32)\nreturn()\nendif()\nfind_package(rclcpp REQUIRED)", []),
         ("# find_package(rclcpp REQUIRED)", []),

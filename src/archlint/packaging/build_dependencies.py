@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_aside
 from archlint.ros import packages, rosdep
 from archlint.workspace.closure import closure
+from archlint.workspace.comments import without_comments
 from archlint.workspace.installed import FoundPackage
 from archlint.workspace.manifest import condition_holds
 
@@ -54,11 +55,21 @@ def packages_to_declare(
         asked_for = [*installs.required, *_generators(installs)]
         own = [asked for asked in asked_for if folder == "." or asked.place.file.startswith(f"{folder}/")]
         for asked in own:
+            if asked.of_tests and _builds_no_tests(workspace, asked.place.file):
+                continue
             if asked.name not in known or asked.name in there or _is_of_system(asked.name, declared - known):
                 continue
             if asked.name.endswith(_MODULE) and there - known - rosdep.keys():
                 continue
             yield package, asked
+
+
+_NO_TESTS = re.compile(r"^[ \t]*set[ \t]*\([ \t]*BUILD_TESTING[ \t]+(?:OFF|NO|FALSE|0)\b", re.MULTILINE | re.IGNORECASE)
+
+
+def _builds_no_tests(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a CMake file turns its own tests off, so that nothing of them is asked for."""
+    return _NO_TESTS.search(without_comments(workspace.tree.text(file) or "")) is not None
 
 
 _GENERATORS = "rosidl_default_generators"
