@@ -421,6 +421,18 @@ def test_a_name_that_something_else_has_may_come_from_elsewhere(judge: Judge, fi
     assert judge("<depend>acme_interfaces</depend>", **files) == []
 
 
+@pytest.mark.parametrize(
+    ("declared", "help"),
+    [
+        ([], "write 'rclpy' instead"),
+        (["<depend>rclpy</depend>"], "remove the line, unless a package from elsewhere is meant"),
+    ],
+)
+def test_a_short_name_that_is_a_letter_away_from_what_is_imported(judge: Judge, declared: list[str], help: str):
+    (told,) = judge(*declared, "<depend>rclqy</depend>")
+    assert told.help == help
+
+
 def test_a_name_among_many_unknown_ones(judge: Judge):
     assert judge("<depend>acme_a</depend>", "<depend>acme_b</depend>", "<depend>acme_c</depend>") == []
 

@@ -75,6 +75,7 @@ def _unknown(
         return
     is_python = _is_of_python(workspace, package, name)
     meant = rosdep.meant_by(name, there, is_python=is_python) or _successor(workspace, name)
+    meant = meant or _imported(workspace, package, name, there)
     meant = _PYTHON if meant == _CPP and _is_rclpy(workspace, package, dependency) else meant
     wrong = None if meant is not None else mistaken(name, there, is_python=is_python)
     if wrong is not None and not is_a_key_of_some_file(workspace, name):
@@ -88,6 +89,16 @@ def _unknown(
         yield _finding(package, dependency, meant, f"write '{meant}' instead{own if needed else ''}")
     elif wrong is None and is_idle(workspace, package, name, there.union(rosdep.keys(), options.external)):
         yield _idle(package, dependency)
+
+
+def _imported(workspace: WorkspaceIndex, package: Package, name: str, there: frozenset[str]) -> str | None:
+    """The only package that is a letter away from a name, be that short, which Python code of the package has a word
+    for and package.xml lacks."""
+    lacking = there - {other.name for other in package.dependencies}
+    near = [other for other in lacking if abs(len(other) - len(name)) <= 1 and distance(name, other, 1) <= 1]
+    files = workspace.code.files_of(package.name) if near else ()
+    used = [other for other in near if any(workspace.code.mentions(path, other) for path in files)]
+    return used[0] if len(used) == 1 else None
 
 
 _CPP, _PYTHON = "rclcpp", "rclpy"
