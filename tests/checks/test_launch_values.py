@@ -337,6 +337,15 @@ def test_a_key_that_a_file_does_not_have(findings, line: str, message: str, help
     assert told.place.line == 22
 
 
+def test_several_keys_that_a_file_does_not_have_are_one_finding(findings):
+    """Launch stops at the first of them."""
+    (told,) = _read(findings, "speed = data['speed']\n    limits = data['limits']\n    other = data['limits']")
+    assert told.message.endswith(
+        "has no 'speed' here: this launch file stops with a KeyError; another key is not there, either"
+    )
+    assert [(row.place.line, "'limits'" in row.message) for row in told.related] == [(23, True)]
+
+
 def test_a_key_that_an_opaque_function_asks_for(findings):
     more = ", DeclareLaunchArgument('file', default_value='c.yaml'), OpaqueFunction(function=start)"
     (told,) = _read(findings, "", more=more)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.folding import folds, with_other_places
+from archlint.checks.folding import folds, with_other_places, with_others
 from archlint.checks.launch_arguments import told_as_left_out
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -106,8 +106,12 @@ def _absent_key(absent: AbsentKey) -> Finding:
         + meant(f"'{near}'" if near is not None else ""),
         help=f"write '{near}'" if near is not None else _what_is_there(absent),
         identity=(absent.file, absent.key),
+        group=(absent.place.file, _ABSENT, absent.file),
         meant=near or "",
     )
+
+
+_ABSENT = "absent keys"
 
 
 def _what_is_there(absent: AbsentKey) -> str:
@@ -278,5 +282,11 @@ _NEW = "is called with a new LaunchContext, in which no launch argument has a va
 
 @folds("LCH008", across_systems=True)
 def _of_one_file(findings: Sequence[Finding]) -> Finding:
-    """One finding for what a file does wrong in the same way at several places."""
+    """One finding for what a file does wrong in the same way at several places: launch stops at the first key of a file
+    that is not there."""
+    keys: dict[str, Finding] = {}
+    for each in findings if _ABSENT in findings[0].group else ():
+        keys.setdefault(each.identity[1], each)
+    if len(keys) > 1:
+        return with_others([*keys.values()], "another key is", "more keys are", "not there, either")
     return with_other_places(findings, "here, too")
