@@ -724,6 +724,39 @@ def test_a_share_folder_of_no_package_with_a_file_of_this_one(findings):
     assert findings("LCH004", line, **{"config/arm.launch.xml": "<launch/>"}, **fetched) == []
 
 
+DEFAULT_ASKED_FOR = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+
+def start(context):
+    model = LaunchConfiguration('model').perform(context)
+    {asks}
+    return []
+
+def generate_launch_description():
+    model = os.path.join(get_package_share_directory('robot'), 'models', 'robot.urdf')
+    return LaunchDescription([
+        DeclareLaunchArgument('model', default_value=model),
+        OpaqueFunction(function=start),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("asks", "told"),
+    [
+        ("if os.path.exists(model):\n        return [LogInfo(msg=open(model).read())]", 0),
+        ("if not os.path.exists(model):\n        raise FileNotFoundError(model)", 1),
+        ("open(model).read()", 1),
+    ],
+)
+def test_a_default_that_code_asks_for_need_not_be_there(findings, asks: str, told: int):
+    assert len(findings("LCH004", **{"launch/it.launch.py": DEFAULT_ASKED_FOR.format(asks=asks)})) == told
+
+
 def test_a_share_folder_of_a_package_with_more_files_than_the_one_here(findings):
     """Packages that are made of one template have files of one name: a package with some of them was not meant."""
     here = {"config/arm.launch.xml": "<launch/>"}

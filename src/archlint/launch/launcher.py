@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import posixpath
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
@@ -11,11 +13,13 @@ from archlint.launch.actions import visiting
 from archlint.launch.file_library import LaunchFileLibrary
 from archlint.launch.files import GENERATE
 from archlint.launch.frontends.elements import actions_of
-from archlint.launch.kinds import FileStatus, GapKind
+from archlint.launch.kinds import FileKind, FileStatus, GapKind
 from archlint.launch.named_files import why_unknown
 from archlint.launch.run import LaunchRun
 from archlint.launch.substitutions import performing
 from archlint.launch.undefined import undefined_name
+from archlint.syntax import facts as code_facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.interpreter.values import Value
@@ -81,6 +85,20 @@ class Launcher(LaunchRun):
         finally:
             self.stack.pop()
             self.file, self.place_now = kept, kept_place
+            if not self.stack:
+                self._settle_defaults()
+
+    def _settle_defaults(self) -> None:
+        """The files in defaults of arguments that need not be there: code that gets the argument asks if its file is,
+        and ends in no exception if not."""
+        for at, reference in enumerate(self.result.references):
+            asked = posixpath.normpath(reference.written or "") in self.asked_files
+            if asked and reference.kind == FileKind.ARGUMENT and not self._raises(reference.place.file):
+                self.result.references[at] = replace(reference, optional=True)
+
+    def _raises(self, path: str) -> bool:
+        code = self.files.python(path) if path.endswith(".py") else None
+        return code is not None and any(everything_in(code.body, code_facts.Raise))
 
     def _enter_frontend(self, path: str) -> None:
         facts = self.files.frontend(path)
