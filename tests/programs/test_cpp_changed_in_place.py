@@ -124,3 +124,39 @@ def test_a_container_that_something_else_fills_may_hold_anything(filled: str) ->
 def test_a_container_that_has_items_keeps_them() -> None:
     made = 'std::vector<std::string> all{"a"}; RCLCPP_INFO(get_logger(), "%zu", all.size()); show(all);'
     assert names(f"{made} for (const auto & name : all) {{ create_publisher<{STRING}>(name, 1); }}") == ["/a"]
+
+
+POINTER = """
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+class Driver {
+public:
+  void open() {
+    node_.reset(new rclcpp::Node("driver"));
+    node_->create_publisher<std_msgs::msg::String>("scan", 1);
+  }
+  std::shared_ptr<rclcpp::Node> node_;
+};
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  Driver driver;
+  driver.open();
+  rclcpp::spin(driver.node_);
+}
+"""
+
+
+def test_a_pointer_holds_what_it_is_given_anew() -> None:
+    [node] = graph({"src/robot.cpp": POINTER})["nodes"]
+    assert (node["name"], [end["name"] for end in node["publishers"]]) == ("/driver", ["/scan"])
+
+
+def test_a_pointer_of_a_function_holds_what_it_is_given_anew() -> None:
+    made = "std::unique_ptr<Names> all; all.reset(new Names()); create_publisher<std_msgs::msg::String>(all->scan, 1);"
+    [node] = graph({"src/robot.cpp": FIELD % ('struct Names { std::string scan = "scan"; };', made)})["nodes"]
+    assert [end["name"] for end in node["publishers"]] == ["/scan", "/scan"]
+
+
+def test_a_timer_that_is_started_anew_is_the_same() -> None:
+    made = 'auto timer = create_wall_timer(1s, [] {}); timer->reset(); topic_ = "map";'
+    assert of_field(made) == ["/map"]

@@ -49,6 +49,14 @@ class MethodLowering(ObjectLowering):
             return facts.Call(facts.Attribute(value, renamed, span), given(values), span)
         return None
 
+    def held_from_now(self, pointer: Expr, arguments: Node, span: Span) -> Expr | None:
+        """``pointer.reset(new Node("a"))``: what a smart pointer holds from now on; None for any other ``reset()``."""
+        nodes = [argument for argument in arguments.named_children if argument.type != "comment"]
+        if len(nodes) != 1 or nodes[0].type != "new_expression" or not is_target(pointer):
+            return None
+        self.note_assigned(pointer)
+        return facts.Assigned(pointer, self.lower(nodes[0]), span)
+
     def write(self, target: Expr, value: Expr, span: Span) -> None:
         """A call writes into its argument."""
         self.note_assigned(target)
