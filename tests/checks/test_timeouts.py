@@ -856,20 +856,24 @@ class TestSpinWithoutTimeout:
         judge("TMO003", script("\n        ".join(lines)))
 
     def test_the_goal_and_its_result_are_one_finding(self, judge: Judge):
-        lines = (
+        lines = [
             "node.create_timer(1.0, print); goal = action.send_goal_async(Fibonacci.Goal())",
-            "rclpy.spin_until_future_complete(node, goal)  # here",
+            "rclpy.spin_until_future_complete(node, goal)",
             "result = goal.result().get_result_async()",
-            "rclpy.spin_until_future_complete(node, result)",
-        )
-        [found] = judge("TMO003", script("\n        ".join(lines)))
-        assert found.message.endswith("; another line in this file does the same")
-        assert [one.message for one in found.related if one.place.line > found.place.line] == [
-            "it spins without a timeout here, too"
+            "rclpy.spin_until_future_complete(node, result)  # here",
         ]
-        left = [lines[0], lines[1].replace("  # here", "  # archlint: ignore[TMO003]"), lines[2], f"{lines[3]}  # here"]
-        [of_result] = judge("TMO003", script("\n        ".join(left)))
-        assert "cancel the goal" in of_result.help and "cancel the goal" not in found.help
+        [found] = judge("TMO003", script("\n        ".join(lines)))
+        assert found.message.startswith("spins until the result from the action 'count' arrives")
+        looked_for = ["if not action.wait_for_server(timeout_sec=2.0): return", *lines]
+        looked_for[3] = f"if not goal.result(): return\n        {lines[2]}"
+        [after] = judge("TMO003", script("\n        ".join(looked_for)))
+        assert "so it spins for the answer to the goal" in [one.message for one in after.related]
+        limited = [lines[0], lines[1].replace("goal)", "goal, timeout_sec=2.0)"), *lines[2:]]
+        [of_result] = judge("TMO003", script("\n        ".join(limited)))
+        assert "cancel the goal" in of_result.help and "cancel the goal" in found.help
+        alone = [lines[0], f"{lines[1]}  # here", "goal.result()", "node.destroy_node()"]
+        [of_goal] = judge("TMO003", script("\n        ".join(alone)))
+        assert "the response from the action 'count'" in of_goal.message and "cancel the goal" not in of_goal.help
 
     @pytest.mark.parametrize(
         ("before", "mark"),

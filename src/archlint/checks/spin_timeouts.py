@@ -183,23 +183,48 @@ def _limitless_spin(system: System, program: Program, call: ApiCall, options: Op
         return _second_spin(system, call, beside)
     clients = creations_of(argument(call, "future"))
     client = clients[0] if len({creation.place for creation in clients}) == 1 else None
+    result = _wait_for_its_result(system, program, call)
     awaited = f"the response from {server_words(system, client)} arrives" if client else "the future is complete"
     if spins_for_own_future(call):
         awaited = "the message that completes the future arrives"
+    if result is not None or spins_for_a_result(
+        system.workspace, call.place
+    ):  # a server that is there answers a goal at once; how long a motion takes, nobody knows
+        awaited = f"the result from {server_words(system, client)} arrives" if client else "the result arrives"
+    at = result or call
+    sent = [] if result is None else [Related(call.place, "so it spins for the answer to the goal")]
     diagnostic = finding(
         "TMO003",
-        call.place,
+        at.place,
         f"spins until {awaited}, without a timeout: if that never happens, the next line never runs",
-        help=_help(system, call),
-        related=related_path(call, client),
+        help=_help(system, at),
+        related=[*sent, *related_path(at, client)],
         node=node_name(system, call.context.node),
         identity=(call.function, name_of(client), "spin_until_future_complete"),
-        sites=sites_of_spin(system.workspace, call.place),
+        sites=sites_of_spin(system.workspace, at.place),
     )
     own = package_around(system.workspace, call.file)
     if is_step_of_asking_script(system, program, call):
         return replace(diagnostic, severity=Severity.INFO, group=(*own, _OF_A_SCRIPT))
     return replace(diagnostic, group=(*own, str(is_at_its_default(call))))
+
+
+def _wait_for_its_result(system: System, program: Program, call: ApiCall) -> ApiCall | None:
+    """The spin for the result of a goal whose answer a function has spun for before, where nothing limits either: a
+    server that is there answers a goal at once, and how long a motion takes, nobody knows."""
+    if spins_for_a_result(system.workspace, call.place):
+        return None
+    later = (other for other in program.calls if other.function == call.function and other.api == call.api)
+    return next(
+        (
+            other
+            for other in later
+            if waits_for_ever(source_code(system), other, "timeout_sec")
+            and spins_for_a_result(system.workspace, other.place)
+            and always_comes_before(source_code(system), call, other)
+        ),
+        None,
+    )
 
 
 def _second_spin(system: System, call: ApiCall, beside: SpunBeside) -> Finding:
