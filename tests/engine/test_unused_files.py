@@ -182,6 +182,43 @@ def test_what_is_put_aside_is_no_partner_of_what_runs(capsys: pytest.CaptureFixt
     assert files_of(document) == []
 
 
+SPEAKER = """
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/{type}.hpp"
+
+class {name} : public rclcpp::Node
+{{
+public:
+  {name}() : Node("{name}")
+  {{
+    words_ = create_{kind}<std_msgs::msg::{type}>("words", 10{last});
+  }}
+}};
+
+int main(int argc, char ** argv)
+{{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<{name}>());
+}}
+"""
+
+
+@pytest.mark.parametrize(("built", "told"), [("src/say.cpp", []), ("src/say.cpp src/hear.cpp", ["cpp/src/say.cpp"])])
+def test_a_source_that_nothing_compiles_meets_nobody(
+    capsys: pytest.CaptureFixture[str], built: str, told: list[str]
+) -> None:
+    write("cpp/package.xml", MANIFEST.replace("robot", "cpp").replace("ament_python", "ament_cmake"))
+    lines = [
+        f"add_executable(n{at} {file})\ninstall(TARGETS n{at} DESTINATION lib/cpp)\n"
+        for at, file in enumerate(built.split())
+    ]
+    write("cpp/CMakeLists.txt", f"project(cpp)\n{''.join(lines)}")
+    write("cpp/src/say.cpp", SPEAKER.format(name="Say", kind="publisher", type="String", last=""))
+    write("cpp/src/hear.cpp", SPEAKER.format(name="Hear", kind="subscription", type="Int32", last=", on_word"))
+    document, _ = checked(capsys, "--select", "TOP001")
+    assert files_of(document) == told
+
+
 def test_why_nothing_runs_a_file_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     write("robot/setup.py", SETUP.replace("robot.driver:main", "robot.drivers:main"))
     assert [row["code"] for row in checked(capsys)[0]["diagnostics"]] == ["PKG002"]

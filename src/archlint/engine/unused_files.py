@@ -39,16 +39,22 @@ def _is_left(index: WorkspaceIndex, file: str) -> bool:
 
 def apart(index: WorkspaceIndex, findings: Iterable[Finding], files: Set[str]) -> tuple[list[Finding], list[Finding]]:
     """The findings that are shown, and those that are not, for they are in these files.  One about nodes that run
-    together is shown if one of them is in another file, unless all others are put aside, and one about code that fails
-    in a script that people run by hand, too."""
+    together is shown if one of them is in another file, unless all others are put aside or are sources that nothing
+    compiles, and one about code that fails in a script that people run by hand, too."""
     shown: list[Finding] = []
     hidden: list[Finding] = []
     for finding in findings:
         own, others = finding.place.file, _others_of(finding)
-        unused = own in files and (others <= files or is_disused(index, own)) and not _fails_by_hand(index, finding)
-        alone = bool(others) and others <= files and all(is_disused(index, other) for other in others)
+        unused = own in files and (others <= files or _never_meets(index, own)) and not _fails_by_hand(index, finding)
+        alone = bool(others) and others <= files and all(_never_meets(index, other) for other in others)
         (hidden if _is_of_what_runs(finding) and (unused or alone) else shown).append(finding)
     return shown, hidden
+
+
+def _never_meets(index: WorkspaceIndex, file: str) -> bool:
+    """Whether the nodes of a file that nothing runs meet none that run: unlike a script, which somebody may start by
+    its path, it is put aside, or nothing compiles it."""
+    return is_disused(index, file) or (index.code.kind_of(file) == "cpp" and runs_nowhere(index, file))
 
 
 def _fails_by_hand(index: WorkspaceIndex, finding: Finding) -> bool:
