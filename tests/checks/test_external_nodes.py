@@ -174,7 +174,7 @@ def test_a_name_that_is_almost_its_own(told):
     line = "self.create_publisher(Twist, 'cmd_vell', 10)"
     [(_, file, message)] = told(("TOP004",), line)
     assert file == "robot/talker.py"
-    assert "did you mean '/cmd_vell'?" in message
+    assert "did you mean '/cmd_vel'?" in message
     assert told(("TOP004",), line, known=(OPEN,)) == [], "somebody else may have both names"
 
 

@@ -124,10 +124,17 @@ def test_names_that_differ_on_purpose(one: str, other: str):
 
 def test_a_near_miss_is_shown_with_both_ends():
     [found] = findings(
-        system(node("/a", publisher("images")), node("/b", subscriber("image")), node("/c", subscriber("other"))),
+        system(node("/a", publisher("doors")), node("/b", subscriber("door")), node("/c", subscriber("other"))),
         "TOP004",
     )
-    assert (found.node, found.related[0].message) == ("/b", "/a publishes '/images'")
+    assert (found.node, found.related[0].message) == ("/b", "/a publishes '/doors'")
+
+
+@pytest.mark.parametrize(("published", "asked", "at"), [("chartter", "chatter", "/a"), ("chatter", "chartter", "/b")])
+def test_a_near_miss_of_a_name_that_everybody_knows_is_told_where_the_slip_is(published: str, asked: str, at: str):
+    [found] = findings(system(node("/a", publisher(published)), node("/b", subscriber(asked))), "TOP004")
+    assert found.node == at
+    assert found.message.endswith("did you mean '/chatter'?")
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import (
@@ -22,6 +23,7 @@ from archlint.connections.only_counterparts import OnlyOnes
 from archlint.connections.own_types import is_only_server
 from archlint.finding import Finding, Related
 from archlint.model import EntityKind
+from archlint.ros.external_nodes import well_known
 from archlint.suggestions import are_opposites, distance
 from archlint.systems.externals import UsedNames
 from archlint.systems.nodes import key_of
@@ -258,6 +260,8 @@ def _finding(user: Endpoint, candidates: list[Endpoint]) -> Finding:
         hint = f"both write '{user.written}'"
         help = f"give {user.node.name} and {nearest.node.name} the same namespace in the launch file"
     at = nearest if user.external else user
+    if hint.startswith("did") and not nearest.external and _is_the_right_one(user, nearest):
+        return _of_publisher(user, nearest, help)
     return finding(
         "TOP004",
         at.place,
@@ -268,3 +272,35 @@ def _finding(user: Endpoint, candidates: list[Endpoint]) -> Finding:
         node=at.node.name,
         identity=(user.name or "", nearest.name or ""),
     )
+
+
+def _of_publisher(user: Endpoint, provider: Endpoint, help: str) -> Finding:
+    """The finding where the publisher has the slip."""
+    return finding(
+        "TOP004",
+        provider.place,
+        f"no node subscribes to '{provider.name}', and no node publishes '{user.name}', to which {user.node.name} "
+        f"subscribes with the same type; did you mean '{user.name}'?",
+        help=help,
+        related=[Related(user.place, f"{user.node.name} subscribes to '{user.name}'")],
+        node=provider.node.name,
+        identity=(user.name or "", provider.name or ""),
+    )
+
+
+def _is_the_right_one(user: Endpoint, provider: Endpoint) -> bool:
+    """Whether nodes of ROS have the name that a subscription has, ``chatter``, and none has that of the publisher, as
+    its code writes it."""
+    right, slip = (_last_part(end.name) for end in (user, provider))
+    return right in _names_of_ros() and slip not in _names_of_ros() and slip == _last_part(provider.written)
+
+
+def _last_part(name: str | None) -> str:
+    return (name or "").rpartition("/")[2]
+
+
+@cache
+def _names_of_ros() -> frozenset[str]:
+    """The last parts of the names that well-known nodes give their topics."""
+    nodes = (node for nodes in well_known().values() for node in nodes)
+    return frozenset(end.name.rpartition("/")[2] for node in nodes for end in node.ends)
