@@ -307,3 +307,45 @@ def test_foxy_took_a_string_for_a_format(refused):
     line = "std::string text; RCLCPP_INFO(get_logger(), text);"
     assert refused(line) != []
     assert refused(line, **{"Dockerfile": "FROM ros:foxy\n"}) == []
+
+
+@pytest.mark.parametrize(
+    ("header", "message"),
+    [
+        ("std_msgs/msg/String.hpp", "<std_msgs/msg/String.hpp> is a header that its package does not have"),
+        (
+            "arm_msgs/msg/StringStamped.hpp",
+            "<arm_msgs/msg/StringStamped.hpp> is a header that its package does not have",
+        ),
+        ("std_msgs/msg/strin.hpp", "<std_msgs/msg/strin.hpp> is a header that its package does not have"),
+        ("std_msgs/String.h", "<std_msgs/String.h> is one of ROS 1"),
+        ("std_srvs/Trigger.h", "<std_srvs/Trigger.h> is one of ROS 1"),
+        ("ros/ros.h", "<ros/ros.h> is one of ROS 1"),
+    ],
+)
+def test_a_header_that_nobody_makes(refused, header, message):
+    source = f"#include <{header}>\n{SOURCE.format(made='', talked='', heard='', main=SPUN)}"
+    assert refused(**{"src/talker.cpp": source}) == [message]
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "std_msgs/msg/string.hpp",
+        "std_srvs/srv/trigger.hpp",
+        "std_msgs/msg/detail/string__struct.hpp",
+        "std_msgs/msg/string__struct.hpp",
+        "sensor_msgs/image_encodings.hpp",
+        "arm_msgs/msg/speed.hpp",
+        "robot/msg/Types.hpp",
+        "arm/Solver.h",
+    ],
+)
+def test_a_header_that_somebody_makes(refused, header):
+    source = f"#include <{header}>\n{SOURCE.format(made='', talked='', heard='', main=SPUN)}"
+    assert refused(**{"src/talker.cpp": source, "include/robot/msg/Types.hpp": "#include <rclcpp/rclcpp.hpp>\n"}) == []
+
+
+def test_a_header_behind_a_condition(refused):
+    source = f"#ifdef ROS1\n#include <ros/ros.h>\n#endif\n{SOURCE.format(made='', talked='', heard='', main=SPUN)}"
+    assert refused(**{"src/talker.cpp": source}) == []

@@ -11,6 +11,7 @@ from archlint.checks.refused_cpp_words import words_for
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.packaging.unmade_headers import UnmadeHeader, unmade_headers
 from archlint.place import Place
 from archlint.python_code.cpp_members import RefusedMember, built_code, refused_members
 from archlint.suggestions import listed, nearest
@@ -35,6 +36,10 @@ def refused_cpp(system: System, options: Options) -> Iterator[Finding]:
     for member in refused_members(workspace):
         if not (is_old and member.kind in _OLD) and _is_known(workspace, member):
             yield _of_member(workspace, member)
+    is_older = is_for_older_ros(workspace)
+    for row in unmade_headers(workspace):
+        if row.is_case or not is_older:
+            yield _of_header(row)
     for path in built_code(workspace):
         code = workspace.code.cpp_facts_at(path)
         for use in () if code is None else code.refused_uses:
@@ -79,6 +84,13 @@ def _of_member(workspace: WorkspaceIndex, row: RefusedMember) -> Finding:
 def _fields(workspace: WorkspaceIndex, row: RefusedMember) -> list[str]:
     section = None if workspace.interfaces is None else workspace.interfaces.section(row.type, row.section)
     return [] if section is None else [field.name for field in section.fields]
+
+
+def _of_header(row: UnmadeHeader) -> Finding:
+    what = "is one of ROS 1" if row.of_ros1 else "is a header that its package does not have"
+    message = f"<{row.header}> {what}"
+    help = f"write {row.meant}" if row.meant else "include the header of an interface that there is"
+    return _finding(row.place, message, help, "header", "" if row.of_ros1 else row.meant)
 
 
 # ------------------------------------------------------------------------------------------------- what is given

@@ -83,6 +83,11 @@ def has_header(workspace: WorkspaceIndex, package: str, header: str) -> bool:
     return makes or any(f"/{path}".endswith(f"/{header}") for path in _code(workspace).get(package, ()))
 
 
+def is_of_workspace(workspace: WorkspaceIndex, header: str) -> bool:
+    """Whether any package of the workspace has the file of a header."""
+    return any(f"/{path}".endswith(f"/{header}") for paths in _code(workspace).values() for path in paths)
+
+
 def headers_of(workspace: WorkspaceIndex, package: str, header: str) -> list[str]:
     """The files of a package that an include may mean, by their paths below its folder."""
     folder = workspace.installs[package].folder
@@ -140,4 +145,4 @@ def includes_of(text: str) -> Sequence[tuple[str, int]]:
     return rows
 
 
-__all__ = ["has_header", "headers_of", "includes_of", "packages_of_headers"]
+__all__ = ["has_header", "headers_of", "includes_of", "is_of_workspace", "packages_of_headers"]
