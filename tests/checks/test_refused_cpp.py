@@ -349,3 +349,10 @@ def test_a_header_that_somebody_makes(refused, header):
 def test_a_header_behind_a_condition(refused):
     source = f"#ifdef ROS1\n#include <ros/ros.h>\n#endif\n{SOURCE.format(made='', talked='', heard='', main=SPUN)}"
     assert refused(**{"src/talker.cpp": source}) == []
+
+
+def test_a_bridge_has_the_headers_of_ros_1(refused):
+    source = f"#include <ros/ros.h>\n{SOURCE.format(made='', talked='', heard='', main=SPUN)}"
+    build = TALKER_OF_CPP.replace("add_exe", "include(cmake/find_ros1_package.cmake)\nadd_exe")
+    files = {"src/talker.cpp": source, "CMakeLists.txt": build, "cmake/find_ros1_package.cmake": ""}
+    assert refused(**files) == []

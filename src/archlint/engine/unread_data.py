@@ -15,6 +15,7 @@ from archlint.launch_files.unloaded_parameter_files import is_template
 from archlint.syntax.descriptions import malformed_description, may_be_description
 from archlint.syntax.parameter_structure import ROOT
 from archlint.workspace.cmake_problems import malformed_cmake
+from archlint.workspace.merge_marks import UNMERGED, merge_in
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
@@ -30,8 +31,6 @@ def unread_data(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding
     yield from _build_files(index, workspace)
 
 
-_MERGE = re.compile(r"^<<<<<<< .+\n(?:.*\n)*?=======\r?\n(?:.*\n)*?>>>>>>> ", re.MULTILINE)
-_UNMERGED = "the marks of a merge are left in this file"
 _KEEP = "keep one side of the merge, or both, and remove the three marks"
 _BUILD_FILES = ("CMakeLists.txt", ".cmake", "setup.cfg")
 
@@ -43,10 +42,10 @@ def _build_files(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Findin
     files = {file for name in asked & index.installs.keys() for file in index.installs[name].build_files}
     for file in sorted(files):
         text = (index.tree.text(file) or "") if file.endswith(_BUILD_FILES) and not is_aside(index, file) else ""
-        merge = _MERGE.search(text)
+        merge = merge_in(text)
         if merge is not None:
-            line = text.count("\n", 0, merge.start()) + 1
-            finding = unreadable(file, line, 1, f"{_UNMERGED}: the build stops")
+            line = text.count("\n", 0, merge) + 1
+            finding = unreadable(file, line, 1, f"{UNMERGED}: the build stops")
             yield replace(finding, help=_KEEP)
         elif not file.endswith("setup.cfg") and (problem := malformed_cmake(text)) is not None:
             finding = unreadable(file, problem.line, 1, f"CMake cannot read this file: {problem.message}")
@@ -56,10 +55,10 @@ def _build_files(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Findin
 def because_of_a_merge(finding: Finding, tree: Tree) -> Finding:
     """What could not be read, with the reason if git has left both sides of a merge in the file: the words of a parser
     do not say so."""
-    unmerged = finding.code == "LNT002" and _UNMERGED not in finding.message
-    if not unmerged or _MERGE.search(tree.text(finding.place.file) or "") is None:
+    unmerged = finding.code == "LNT002" and UNMERGED not in finding.message
+    if not unmerged or merge_in(tree.text(finding.place.file) or "") is None:
         return finding
-    return replace(finding, message=f"{finding.message}; {_UNMERGED}", help=_KEEP)
+    return replace(finding, message=f"{finding.message}; {UNMERGED}", help=_KEEP)
 
 
 def _read_parameter_files(index: WorkspaceIndex, workspace: Workspace) -> None:

@@ -20,10 +20,12 @@ from archlint.syntax.interfaces import KIND_OF_SUFFIX
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import Installs
 
 _OF_INTERFACE = re.compile(r"([a-z][a-z0-9_]*)/(msg|srv|action)/(\w+)\.(hpp|h)")
 _OF_ROS_1 = re.compile(r"([a-z][a-z0-9_]*)/([A-Z]\w*)\.h")
 _OF_MESSAGES = ("_msgs", "_interfaces", "_srvs")
+_OF_BUILDS_OF_ROS_1 = frozenset({"catkin", "catkin_package", "roscpp"})
 _MOVED: Mapping[str, str] = {
     "ros/ros.h": "rclcpp/rclcpp.hpp",
     "ros/console.h": "rclcpp/logging.hpp",
@@ -56,10 +58,17 @@ def unmade_headers(workspace: WorkspaceIndex) -> Iterator[UnmadeHeader]:
         own = workspace.packages.get(workspace.package_of(path) or "")
         if own is None or own.ros1 or own.build_type != "ament_cmake" or "ros1" in own.name:
             continue
+        beside_ros1 = _is_beside_ros1(workspace.installs.get(own.name))
         for header, line in includes_of(workspace.tree.text(path) or ""):
             row = None if table is None else _judged(table, header, Place(path, line, 1, line, 1))
-            if row is not None and not is_of_workspace(workspace, header):
+            if row is not None and not (row.of_ros1 and beside_ros1) and not is_of_workspace(workspace, header):
                 yield row
+
+
+def _is_beside_ros1(installs: Installs | None) -> bool:
+    """Whether a build looks for ROS 1, too, as that of a bridge does."""
+    words = frozenset[str]() if installs is None else installs.words
+    return any("ros1" in word.lower() or word in _OF_BUILDS_OF_ROS_1 for word in words)
 
 
 def _judged(table: InterfaceTable, header: str, place: Place) -> UnmadeHeader | None:

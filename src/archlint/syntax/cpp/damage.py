@@ -1,8 +1,8 @@
 """Where the code of a C++ file cannot be right, or creates something and was not understood.
 
 The grammar goes on behind what it does not understand, and most of that is good code: macros, attributes, extensions
-of compilers.  So it is told only where brackets do not match, and where a create call or a class of a node stands in
-code of which nothing was kept.
+of compilers.  So it is told only where brackets do not match, where nothing but a slip is left (``slips.py``), and
+where a create call or a class of a node stands in code of which nothing was kept.
 """
 
 from __future__ import annotations
@@ -16,8 +16,10 @@ from archlint.syntax import facts
 from archlint.syntax.cpp.calls import GENERIC, METHODS
 from archlint.syntax.cpp.macro_heads import macro_in_front
 from archlint.syntax.cpp.preprocessor import with_whole_branches
+from archlint.syntax.cpp.slips import slip_in
 from archlint.syntax.facts import FileProblem
 from archlint.syntax.parts import everything_in
+from archlint.workspace.merge_marks import UNMERGED, merge_in
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -48,10 +50,16 @@ def problems_of(source: SourceText, root: Node, body: Sequence[facts.Stmt]) -> l
     """What is to be told of a file whose tree has errors."""
     if not root.has_error:
         return []
+    merge = merge_in(source.data.decode("latin-1")) if b"<<<<<<< " in source.data else None
+    if merge is not None:
+        return [_problem(source, merge, f"{UNMERGED}: it does not compile", partly=False)]
     bracket = _bracket_without_partner(with_whole_branches(source.data))
     if bracket is not None:
         start, what = bracket
         return [_problem(source, start, f"'{chr(source.data[start])}' {what}", partly=False)]
+    slip = slip_in(root, source.data)
+    if slip is not None:
+        return [_problem(source, slip[0], f"{slip[1]}: this does not compile", partly=False)]
     missing = sorted({*_lost_calls(source, root, body), *_lost_classes(source, root)})
     if not missing:
         return []
