@@ -20,6 +20,8 @@ _BY_NUMBER: dict[PolicyName, dict[int, PolicyValue]] = {
 _BY_WORD: dict[PolicyName, dict[str, PolicyValue]] = {
     name: {value: value for value in by_number.values()} for name, by_number in _BY_NUMBER.items()
 }
+_NUMBER_OF_UNKNOWN: dict[PolicyName, int] = {"history": 3, "reliability": 3, "durability": 3, "liveliness": 4}
+"""``HistoryPolicy.UNKNOWN`` is no policy, but as any member of these enums it is a number."""
 
 
 def policy_by_name(path: str, name: object) -> External | None:
@@ -37,26 +39,32 @@ _POLICY_CLASSES: dict[str, PolicyName] = {
 
 def policy_number(path: str) -> int | None:
     """The number of a policy's enum member, such as a parameter has it for a default; None for other names."""
-    owner, _, member = rclpy_names.canonical(path.removesuffix(".value")).rpartition(".")
+    owner = rclpy_names.canonical(path.removesuffix(".value")).rpartition(".")[0]
     name = _POLICY_CLASSES.get(owner)
     if name is None:
         return None
-    wanted = policy(name, External(f"{owner}.{member}"))
-    return next((number for number, text in _BY_NUMBER[name].items() if text == wanted), None)
+    word = _word(name, path)
+    if word == "unknown":
+        return _NUMBER_OF_UNKNOWN[name]
+    return next((number for number, text in _BY_NUMBER[name].items() if text == word), None)
 
 
 def policy(name: PolicyName, value: Value) -> PolicyValue | None:
     """The policy that an enum member, its number or its short key stands for."""
     match value:
         case External(path=path):
-            tail = path.removesuffix(".value").rpartition(".")[2].upper()
-            tail = tail.removeprefix(f"RMW_QOS_POLICY_{name.upper()}_").lower()
-            return _BY_WORD[name].get(tail)
+            return _BY_WORD[name].get(_word(name, path))
         case Known(value=int(number)):
             return _BY_NUMBER[name].get(number)
         case Known(value=str(text)):
             return _BY_WORD[name].get(text.lower())
     return None
+
+
+def _word(name: PolicyName, path: str) -> str:
+    """What an enum member is called, without what older releases put before it."""
+    member = path.removesuffix(".value").rpartition(".")[2].upper()
+    return member.removeprefix(f"RMW_QOS_POLICY_{name.upper()}_").lower()
 
 
 _ENDLESS = 9223372036.0

@@ -21,7 +21,7 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.rclpy import names as rclpy_names
 from archlint.libraries.rclpy.changed_profiles import as_changed, copy_of
-from archlint.libraries.rclpy.policies import duration_seconds, policy
+from archlint.libraries.rclpy.policies import duration_seconds, policy, policy_number
 from archlint.libraries.rclpy.presets import API_DEFAULTS, DEFAULT, preset
 from archlint.libraries.rclpy.profile_parts import DURATIONS, OPEN, POLICIES, PRESET, PROFILE
 from archlint.ros.qos import BoundName, Qos
@@ -105,6 +105,9 @@ def _of_value(run: Run, value: Value) -> Qos:
         case Known(value=int(depth), via=parameters):
             return Qos(depth=depth, explicit=frozenset({"depth"}), parameter=",".join(sorted(parameters)) or None)
         case External(path=path):
+            number = policy_number(path)
+            if number is not None:
+                return Qos(depth=number, explicit=frozenset({"depth"}))
             return preset(rclpy_names.canonical(path)) or _UNKNOWN
         case Instance(cls=External(path=path)) if rclpy_names.canonical(path) == PROFILE:
             return _of_profile(run, value)
@@ -161,8 +164,7 @@ def _of_profile(run: Run, profile: Instance) -> Qos:
     if depth is not None:
         explicit.add("depth")
         parameters |= via(depth)
-        number = depth.whole_number
-        fields["depth"] = None if isinstance(number, bool) else number
+        fields["depth"] = _depth(depth)
     for duration, field in DURATIONS.items():
         value = run.store.get(profile.key, duration)
         if value is not None:
@@ -180,3 +182,9 @@ def _of_profile(run: Run, profile: Instance) -> Qos:
         place=profile.place,
     )
     return replace(result, **fields)  # type: ignore[arg-type]
+
+
+def _depth(value: Value) -> int | None:
+    """The number that a depth is; a policy given in its place is one, too."""
+    number = policy_number(value.path) if isinstance(value, External) else value.whole_number
+    return None if isinstance(number, bool) else number
