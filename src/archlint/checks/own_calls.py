@@ -13,6 +13,7 @@ from archlint.finding import Finding, Related, Severity
 from archlint.model import Misuse
 from archlint.python_code.bare_supers import calls_of_bare_super
 from archlint.python_code.compared_methods import ComparedMethod, compared_methods
+from archlint.python_code.dropped_coroutines import DroppedCoroutine, dropped_coroutines
 from archlint.python_code.object_calls import refused_object_calls
 from archlint.python_code.own_calls import RefusedOwnCall, refused_own_calls
 from archlint.python_code.own_results import WrongLength, wrong_lengths
@@ -42,6 +43,8 @@ def own_call_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _compared(test))
         for tested in tested_methods(system.workspace):
             yield from unless_uncalled(system, _tested(tested))
+        for dropped in dropped_coroutines(system.workspace):
+            yield from unless_uncalled(system, _dropped(dropped))
         for place in calls_of_bare_super(system.workspace):
             yield from unless_uncalled(system, _of_bare_super(place))
 
@@ -110,6 +113,24 @@ def _tested(test: TestedMethod) -> Finding:
         help=f"write {test.written}({'…' if test.takes_arguments else ''})",
         identity=(COMPARED, test.written),
         group=(test.place.file, COMPARED, test.written),
+    )
+
+
+def _dropped(row: DroppedCoroutine) -> Finding:
+    name = row.name.rpartition(".")[2]
+    cure = (
+        f"pass {row.name} itself, or an async function that awaits it"
+        if row.in_lambda
+        else "await it in an async function"
+    )
+    return finding(
+        "API001",
+        row.place,
+        f"nothing of {name}() is run: the call makes a coroutine, and nobody awaits that",
+        help=f"write await {row.name}(…)" if row.may_await else cure,
+        related=[Related(row.defined, f"{name}() is defined here, as async")],
+        identity=("coroutine", row.name),
+        group=(row.place.file, "coroutine", row.name),
     )
 
 
