@@ -94,3 +94,9 @@ def test_a_spin_that_takes_the_node_from_its_executor(judge: Judge, lines: tuple
 )
 def test_a_node_that_something_spins_afterwards(judge: Judge, lines: tuple[str, ...], ask: str):
     judge("EXE008", program(*lines, ask=ask))
+
+
+def test_a_spin_without_a_timeout_that_must_not_spin_at_all(judge: Judge):
+    """TMO003 would ask for a timeout, which mends nothing."""
+    without = UNTIL.replace(", timeout_sec=1.0", "")
+    judge("TMO003", program(*IN_THREAD, "node.ask()", "thread.join()", ask=without))

@@ -35,6 +35,7 @@ from archlint.execution.asking_scripts import has_only_clients, is_step_of_askin
 from archlint.execution.deaf_loops import DeafLoop, deaf_loops
 from archlint.execution.expected_failures import expects_no_answer
 from archlint.execution.future_loops import is_done_before
+from archlint.execution.idle_nodes import taking_calls
 from archlint.execution.own_futures import spins_for_a_message, spins_for_own_future, spins_for_own_task
 from archlint.execution.present_servers import until_it_comes, was_waited_for
 from archlint.execution.retries import is_retried
@@ -61,7 +62,8 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Spins until a future is complete that nothing limits.  Of a method that nothing calls, and of a client that
     nothing is seen to make, nobody knows whether it is ever there; a trial is ended by whoever runs it.  The answer of
     a server that has been found seldom gets lost: that is for ``lost-answers``."""
-    reported, seldom = spoken_of(system, options.distros), options.flag("lost-answers")
+    reported = spoken_of(system, options.distros) | taking_calls(system)  # EXE008 says that these must not spin
+    seldom = options.flag("lost-answers")
     yield from one_for_each_place(
         _limitless_spin(system, program, call, options)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.analysis.source_code import source_code
 from archlint.execution.spins import spin_before
 from archlint.execution.taken_nodes import Taken, taken
@@ -85,6 +86,17 @@ def idle_of(system: System, program: Program, node: Blueprint) -> Idle | None:
         last = max(spell.creations for spell in spells)
         served = [c for c in served if c in node.creations[last:]]
     return Idle(served, spin=spells[0].place) if served else None
+
+
+@once
+def taking_calls(system: System) -> frozenset[Place]:
+    """The spins that take nodes from their executors for good."""
+    judged = ((program, node, idle_of(system, program, node)) for program, node in started_nodes(system))
+    return frozenset(
+        idle.taken.call
+        for program, node, idle in judged
+        if idle is not None and idle.taken is not None and _all_is_seen(program, node)
+    )
 
 
 def _done_callbacks(system: System, program: Program, node: Blueprint) -> list[Place]:
