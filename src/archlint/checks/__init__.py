@@ -55,6 +55,7 @@ MODULES: tuple[str, ...] = (
     "remappings",
     "sequences",
     "scripts",
+    "late_publications",
     "second_shutdowns",
     "script_folders",
     "service_cycles",

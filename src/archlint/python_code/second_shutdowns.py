@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 RAISING = frozenset({"humble", "jazzy"})
 """The distributions whose ``rclpy.shutdown()`` raises an error the second time."""
 _SPINS = frozenset({"spin", "spin_once", "spin_until_future_complete"})
-_INTERRUPT = frozenset({"KeyboardInterrupt", "BaseException"})
-_OF_SIGNALS = frozenset(
+INTERRUPT = frozenset({"KeyboardInterrupt", "BaseException"})
+OF_SIGNALS = frozenset(
     {"SignalHandlerOptions", "install_signal_handlers", "signal", "signal_handler_options", "uninstall_signal_handlers"}
 )
 """Words of a program that has its own way with signals."""
@@ -44,15 +44,9 @@ def second_shutdowns(workspace: WorkspaceIndex) -> Iterator[Place]:
 
 @kept_for_each_file
 def _shutdowns(code: facts.Facts) -> list[facts.Span]:
-    if not _OF_SIGNALS.isdisjoint(code.names):
+    if not OF_SIGNALS.isdisjoint(code.names):
         return []
-    targets = [
-        argument.value
-        for call in everything_in(code.body, facts.Call)
-        for argument in call.args
-        if argument.keyword == "target"
-    ]
-    threads = {target.last_name for target in targets}
+    threads = targets_of_threads(code)
     functions = [*everything_in(code.body, facts.Function)]
     failing = _FAILS | {function.name for function in functions if _asks_a_context(function.body, _FAILS)}
     spans = [*_in_block(code.body, failing)]
@@ -60,6 +54,12 @@ def _shutdowns(code: facts.Facts) -> list[facts.Span]:
         if function.name not in threads:
             spans += _in_block(function.body, failing)
     return [*dict.fromkeys(spans)]
+
+
+def targets_of_threads(code: facts.Facts) -> frozenset[str]:
+    """The names of the functions that a file gives to threads: Ctrl-C does not end what these spin."""
+    arguments = (argument for call in everything_in(code.body, facts.Call) for argument in call.args)
+    return frozenset(argument.value.last_name for argument in arguments if argument.keyword == "target")
 
 
 def _in_block(block: Sequence[facts.Stmt], failing: Set[str]) -> Iterator[facts.Span]:
@@ -76,8 +76,8 @@ def _in_block(block: Sequence[facts.Stmt], failing: Set[str]) -> Iterator[facts.
 
 def _behind(attempt: facts.Try, after: Sequence[facts.Stmt], failing: Set[str]) -> Iterator[facts.Span]:
     """The first shutdown that a program comes to when Ctrl-C ends the spin in a ``try``."""
-    catching = [handler for handler in attempt.handlers if handler.type is None or handler.caught & _INTERRUPT]
-    goes_on = bool(catching) and not any(_leaves(statement) for statement in statements_of(catching[0].body))
+    catching = [handler for handler in attempt.handlers if handler.type is None or handler.caught & INTERRUPT]
+    goes_on = bool(catching) and not any(leaves(statement) for statement in statements_of(catching[0].body))
     ways = [*(handler.body for handler in catching[:1]), attempt.final, *([after] if goes_on else [])]
     for way in ways:
         span, fails = _first_shutdown(way, failing)
@@ -95,7 +95,7 @@ def _first_shutdown(statements: Sequence[facts.Stmt], failing: Set[str]) -> tupl
                 return call.span, False
         if _asks_a_context([statement], failing):
             return None, True
-        if _leaves(statement):
+        if leaves(statement):
             return None, False
     return None, False
 
@@ -106,9 +106,7 @@ def _asks_a_context(block: Sequence[facts.Stmt], failing: Set[str]) -> bool:
     for statement in block:
         if isinstance(statement, facts.Try) and statement.handlers:
             continue
-        if isinstance(statement, facts.If) and any(
-            call.func.attribute == "ok" for call in parts_of(statement.test, facts.Call)
-        ):
+        if asks_whether_it_runs(statement):
             continue
         calls = calls_in(statement) if not statement.blocks else ()
         if any(call.func.last_name in failing for call in calls):
@@ -118,7 +116,14 @@ def _asks_a_context(block: Sequence[facts.Stmt], failing: Set[str]) -> bool:
     return False
 
 
-def _leaves(statement: facts.Base) -> bool:
+def asks_whether_it_runs(statement: facts.Stmt) -> bool:
+    """Whether a branch asks for ``rclpy.ok()``."""
+    if not isinstance(statement, facts.If):
+        return False
+    return any(call.func.attribute == "ok" for call in parts_of(statement.test, facts.Call))
+
+
+def leaves(statement: facts.Base) -> bool:
     """Whether code does not come behind a statement, or what it does there is another matter."""
     if isinstance(statement, (facts.Return, facts.Raise)) or (
         isinstance(statement, facts.Jump) and statement.kind != "pass"
@@ -132,4 +137,12 @@ def _spins(body: Sequence[facts.Stmt]) -> bool:
     return any(call.func.attribute in _SPINS for call in calls)
 
 
-__all__ = ["RAISING", "second_shutdowns"]
+__all__ = [
+    "INTERRUPT",
+    "OF_SIGNALS",
+    "RAISING",
+    "asks_whether_it_runs",
+    "leaves",
+    "second_shutdowns",
+    "targets_of_threads",
+]
