@@ -94,6 +94,21 @@ def test_a_folder_that_is_installed_by_itself(findings, name):
     assert findings("PKG004", **files, **{f"words/{name}": ""}) == []
 
 
+def test_a_folder_with_a_setup_file_is_not_installed_under_a_name_that_leads_to_it(findings):
+    """Its own setup.py installs ``protocol``, and ``robot.words`` is nowhere."""
+    files = {
+        "robot/__init__.py": "",
+        "robot/talker.py": "from robot.words.greetings import HELLO\nfrom protocol.frames import A\n" + TALKER,
+        "robot/words/greetings.py": "HELLO = 'hello'\n",
+        "robot/words/setup.py": "from setuptools import setup\n",
+        "robot/words/protocol/__init__.py": "",
+        "robot/words/protocol/frames.py": "A = 1\n",
+        "setup.py": setup("find_packages()"),
+    }
+    (finding,) = findings("PKG004", **files)
+    assert finding.help.startswith("add an empty file robot/words/__init__.py: ")
+
+
 def test_each_folder_without_an_init_is_named(findings):
     files = {
         "robot/__init__.py": "",

@@ -68,7 +68,7 @@ def _beside_setup(workspace: WorkspaceIndex, package: str, module: str) -> str |
 def is_entry_left_out(workspace: WorkspaceIndex, executable: Executable) -> bool:
     """Whether setup.py does not install the module of an entry."""
     start = None if executable.module is None else _file_of(workspace, executable)
-    return start is not None and _is_left_out(workspace, start, of_entry=True)
+    return start is not None and _is_left_out(workspace, start, executable.module or "", of_entry=True)
 
 
 def _imported_from(workspace: WorkspaceIndex, start: str, seen: set[str]) -> Iterator[LeftOut]:
@@ -86,19 +86,24 @@ def _imported_from(workspace: WorkspaceIndex, start: str, seen: set[str]) -> Ite
             for imported in files_of_import(workspace, file, statement):
                 pending.append(imported)
                 package = workspace.package_of(imported)
-                if package is None or not _is_left_out(workspace, imported):
+                if package is None or not _is_left_out(workspace, imported, _module_of(statement)):
                     continue
                 if not _lies_beside_programs(workspace, package, statement):
                     yield LeftOut(imported, package, Place(file, *statement.span))
 
 
-def _is_left_out(workspace: WorkspaceIndex, file: str, of_entry: bool = False) -> bool:
-    """Whether a file belongs to a package whose setup.py is understood and does not install it; a module ``of_entry``
-    is not found in the share folder."""
+def _module_of(statement: facts.Import | facts.ImportFrom) -> str:
+    """The module that an import names from the top on; empty for one that is beside the file."""
+    return "" if isinstance(statement, facts.ImportFrom) and statement.level else statement.module
+
+
+def _is_left_out(workspace: WorkspaceIndex, file: str, module: str, of_entry: bool = False) -> bool:
+    """Whether a file, which code asks for as a ``module``, belongs to a package whose setup.py is understood and does
+    not install it; one ``of_entry`` is not found in the share folder."""
     installs = _installs_of(workspace, file)
     if installs is None or installs.python is None or installs.open_files:
         return False
-    if _is_of_another_distribution(workspace, installs.folder, file):
+    if _is_of_another_distribution(workspace, installs.folder, file, module):
         return False
     scripts = (executable.script for executable in installs.executables.values())  # they find each other
     places = [place for place in installs.places_of(file) if not (of_entry and place.startswith("share/"))]
@@ -119,13 +124,16 @@ def _installs_of(workspace: WorkspaceIndex, file: str) -> Installs | None:
     return installs if inside else None
 
 
-def _is_of_another_distribution(workspace: WorkspaceIndex, outer: str, file: str) -> bool:
-    """Whether a folder inside of that of a setup.py has another, with which whoever needs the file installs it."""
+def _is_of_another_distribution(workspace: WorkspaceIndex, outer: str, file: str, module: str) -> bool:
+    """Whether a folder inside of that of a setup.py has another, with which whoever needs the file installs it.  Under
+    a name that begins with the way to that folder it does not come: the names of what is in there begin in it."""
     for folder in folders_above(file):
         if folder == outer:
             return False
         if any(workspace.tree.is_file(posixpath.join(folder, name)) for name in ("setup.py", "pyproject.toml")):
-            return True
+            first, _, _ = posixpath.relpath(file, folder).partition("/")
+            way = posixpath.relpath(folder, outer).replace("/", ".")
+            return first.removesuffix(".py") == module.partition(".")[0] or not f"{module}.".startswith(f"{way}.")
     return False
 
 
