@@ -86,6 +86,16 @@ def test_a_path_that_is_right_once_the_folder_is_installed(findings, folders: st
     assert [one.message for one in other] == ["package 'robot' has no parameter file 'config/tall.yaml'"]
 
 
+def test_one_file_that_is_looked_for_in_two_folders(findings):
+    """No one line installs it into both."""
+    cmake = "project(robot)\ninstall(DIRECTORY launch DESTINATION share/robot)\nament_package()\n"
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "views/talk.yaml": ""}
+    paths = [f'<param from="$(find-pkg-share robot)/{path}"/>' for path in ("views/talk.yaml", "talk.yaml")]
+    as_it_lies, at_the_top = findings("LCH004", "".join(map(node, paths)), **files)
+    assert as_it_lies.help == "install views/talk.yaml (data_files in setup.py, install(DIRECTORY …) in CMake)"
+    assert at_the_top.help.startswith("install views/talk.yaml into the share folder itself (")
+
+
 @pytest.mark.parametrize(("robot", "told"), [("", 0), ("turtle", 1)])
 def test_a_folder_that_whoever_launches_it_has_to_name(findings, robot: str, told: int):
     argument = f'<arg name="model" default="{robot}"/>'

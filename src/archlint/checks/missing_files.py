@@ -108,7 +108,8 @@ def _missing(system: System, reference: FileReference, shown: str) -> _Told | No
         return None
     if misplaced:  # the path is right, once the folder is installed
         message = f"package '{package}' does not install the {what} '{near}', which is looked for as '{path}'"
-        return _Told(message, _installed_as(path, near), FileStatus.NOT_INSTALLED, posixpath.dirname(near))
+        cause = f"{posixpath.dirname(near)} as {posixpath.dirname(path)}"
+        return _Told(message, _installed_as(path, near), FileStatus.NOT_INSTALLED, cause)
     message = f"package '{package}' has no {what} '{path}'" + (meant(f"'{near}'") if near else "")
     beside = (reference.written or "").startswith("$(workspace)")
     start = "installed folder of this launch file" if beside else "package's installed share folder"
@@ -124,6 +125,8 @@ def _missing(system: System, reference: FileReference, shown: str) -> _Told | No
 def _installed_as(path: str, source: str) -> str:
     """How to install a file, by its path in the package, so that it has another one in the share folder."""
     below, folder = posixpath.dirname(path), posixpath.dirname(source)
+    if not below:
+        return f"install {source} into the share folder itself (data_files in setup.py, install(FILES …) in CMake)"
     return f"install {folder} as {below} (data_files in setup.py, install(DIRECTORY {folder} …) in CMake)"
 
 
