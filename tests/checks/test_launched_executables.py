@@ -6,6 +6,7 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
+from archlint.finding import Severity
 from robot_package import CMAKE, CMAKE_TESTS, SCRIPTS, SETUP, TALKER, manifest, node
 
 TARGETS = "install(TARGETS ${n} DESTINATION lib/robot)\n"
@@ -48,6 +49,21 @@ def test_a_package_that_hides_the_one_of_ros_with_its_name(findings, package, he
     own = {"package.xml": manifest(package), "setup.py": SETUP.replace("robot", package)}
     (finding,) = findings("LCH001", node(pkg=package, exec="turtlesim_node"), **own)
     assert finding.help == help
+
+
+@pytest.mark.parametrize(
+    ("file", "executable", "severity"),
+    [
+        ("example", "main_node", Severity.INFO),  # it shows how a launch file is written
+        ("ejemplo", "main_node", Severity.INFO),
+        ("example", "tlaker", Severity.ERROR),  # what was meant is known
+        ("it", "main_node", Severity.ERROR),
+    ],
+)
+def test_a_launch_file_that_is_an_example(findings, file: str, executable: str, severity: Severity):
+    text = f"<launch>{node(exec=executable)}</launch>"
+    (told,) = findings("LCH001", **{f"launch/{file}.launch.xml": text})
+    assert told.severity is severity
 
 
 def test_an_executable_of_another_workspace(findings):

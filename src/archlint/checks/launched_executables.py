@@ -12,7 +12,7 @@ from archlint.checks.folding import folds, with_places
 from archlint.checks.packages import is_ignored_by_cmake
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 from archlint.launch.kinds import StartedKind
 from archlint.launch_files.shown_files import is_shown_only
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
@@ -59,7 +59,7 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
             yield _unread_entry(started, name, entry, _installed(system.workspace, installs))
             continue
         advice = _included(installs, started, name, system.workspace) or _instead(installs, name, system.workspace)
-        yield finding(
+        told = finding(
             "LCH001",
             started.places.get("executable", started.place),
             f"package '{installs.package}' installs no executable '{name}'{advice.hint}",
@@ -67,6 +67,9 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
             identity=(installs.package, name),
             group=(installs.package, _LEFT_OUT if advice.is_left_out else name),
         )
+        # A file that only shows how one is written may have made-up names.
+        is_made_up = not advice.hint and is_shown_only(system)
+        yield replace(told, severity=Severity.INFO) if is_made_up else told
 
 
 def _not_in_sight(installs: Installs, started: Started, name: str) -> Iterator[Finding]:

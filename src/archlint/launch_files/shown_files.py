@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from archlint.systems.model import System
 
-_SHOWN = frozenset({"example", "examples", "sample", "template"})
+_SHOWN = frozenset(
+    {"example", "examples", "sample", "template"}
+    | {"beispiel", "ejemplo", "ejemplos", "esempio", "exemple", "exemplo", "plantilla"}
+)
 
 
 def is_shown_only(system: System) -> bool:
