@@ -176,6 +176,22 @@ def test_launch_files(told: Told, files: dict[str, str], expected: list[str]):
     assert told(files, "LCH001") == expected
 
 
+OF_OLD = '<launch><node pkg="robot" exec="driver" colour="red"/></launch>'
+
+
+@pytest.mark.parametrize(
+    ("name", "readme", "told_of"),
+    [
+        ("robot.launch", "", []),
+        ("robot.launch", "    ros2 launch robot robot.launch", ["robot/launch/robot.launch"]),
+        ("other.launch", "", ["robot/launch/other.launch"]),
+    ],
+    ids=["ported", "still started", "forgotten, perhaps"],
+)
+def test_the_launch_file_that_an_installed_one_was_ported_from(told: Told, name: str, readme: str, told_of: list[str]):
+    assert told({f"robot/launch/{name}": OF_OLD, "README.md": readme}, "LCH005") == told_of
+
+
 CMAKE = """
 cmake_minimum_required(VERSION 3.8)
 project(robot)

@@ -19,7 +19,7 @@ from archlint.analysis.aside import (
 )
 from archlint.analysis.kept import once
 from archlint.packaging.unbuilt_files import runs_nowhere
-from archlint.packaging.uninstalled_files import is_meant_to_start, is_told_to_run
+from archlint.packaging.uninstalled_files import is_left_out_launch_file, is_meant_to_start, is_told_to_run
 from archlint.syntax.walk import main_guard
 from archlint.workspace.comments import without_comments
 from archlint.workspace.model import LAUNCH_TEXT_KINDS
@@ -34,7 +34,7 @@ def nothing_runs(workspace: WorkspaceIndex, file: str) -> bool:
     where something in use reads them."""
     if _is_launch_file(workspace, file):
         # One that is not installed may be forgotten: PKG004 and whoever starts it by its path ask for it.
-        return _is_put_aside(workspace, file)
+        return _is_put_aside(workspace, file) or _is_of_old(workspace, file)
     kind = workspace.code.kind_of(file)
     if kind == "cpp":
         return _is_put_aside(workspace, file) or runs_nowhere(workspace, file)
@@ -112,6 +112,17 @@ def _is_put_aside(workspace: WorkspaceIndex, file: str) -> bool:
     if _is_launch_file(workspace, file):
         return is_disused(workspace, file) and not is_meant_to_start(workspace, file)
     return is_left_alone(workspace, file) and is_disused(workspace, file)
+
+
+def _is_of_old(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a launch file that its package leaves out is what an installed one beside it was ported from:
+    ``robot.launch`` beside ``robot.launch.py``."""
+    folder, name = posixpath.split(file)
+    installs = workspace.installs.get(workspace.package_of(file) or "")
+    if installs is None or not name.endswith(".launch") or not is_left_out_launch_file(workspace, file):
+        return False
+    ported = (posixpath.join(folder, f"{name}{ending}") for ending in (".py", ".xml", ".yaml"))
+    return any(workspace.tree.is_file(other) and any(installs.places_of(other)) for other in ported)
 
 
 def _is_launch_file(workspace: WorkspaceIndex, file: str) -> bool:
