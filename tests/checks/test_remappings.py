@@ -57,6 +57,14 @@ def test_a_container_does_not_pass_its_remappings_on(findings):
     assert findings("LCH002", container + node('<remap from="/chatter" to="x"/>')) == []
 
 
+@pytest.mark.parametrize(("package", "told"), [("$(var package)", 0), ("robot", 1)])
+def test_a_program_that_arguments_choose(findings, package: str, told: int):
+    arguments = '<arg name="client" default="talker"/>'
+    arguments += '<arg name="package" default="robot"/>' if package.startswith("$") else ""
+    client = node('<remap from="fix" to="/fix"/>', pkg=package, exec="$(var client)")
+    assert len(findings("LCH002", arguments + client)) == told
+
+
 def test_dead_remappings_of_one_node_are_one_finding(findings):
     remaps = '<remap from="odom" to="a"/>\n<remap from="chatter" to="b"/>\n<remap from="scan" to="c"/>'
     copy = {"launch/more.launch.xml": f"<launch>{node(remaps)}</launch>"}

@@ -16,6 +16,7 @@ from archlint.checks.launched_names import rejection_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.launch_files.chosen_names import program_is_chosen
 from archlint.model import EntityKind
 from archlint.ros import names
 from archlint.ros.well_known import OF_EVERY_NODE, OF_TRANSFORMS
@@ -37,7 +38,8 @@ def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None:
         return
     for started, nodes in _by_started(system):
-        if all(_has_all_names(node) for node in nodes):
+        # Of a program that arguments choose the default need not be the one that has the name.
+        if all(_has_all_names(node) for node in nodes) and not program_is_chosen(system.launched, started):
             for remap in started.remaps:
                 dead = None if remap.group else _dead(system, remap, nodes, started)
                 if dead is None or _live_elsewhere(system, remap):

@@ -49,6 +49,11 @@ def executable_is_chosen(launched: Launched, started: Started) -> bool:
     return any(word and (name == word or name.endswith(f"_{word}")) for word in _words(launched))
 
 
+def program_is_chosen(launched: Launched, started: Started) -> bool:
+    """Whether arguments choose both the package and the executable that a launch file starts."""
+    return (started.package.text or "") in _words(launched) and executable_is_chosen(launched, started)
+
+
 def executable_is_picked(workspace: WorkspaceIndex, started: Started) -> bool:
     """Whether a launch file picks the executable out of several that it lists, by a switch that people change there:
     ``executable=DRIVERS[driver]``, ``executable='real' if REAL else 'fake'``."""
