@@ -26,7 +26,7 @@ from registering import only
 SCOPES = {
     Scope.WORKSPACE: """
         PKG001 PKG002 PKG003 PKG004 PKG005 PKG006 PKG007 PKG008 PKG009 PKG010 PKG011 PKG012 PKG013 PKG014
-        PKG015
+        PKG015 PRM012
         """,
     Scope.CODE: """
         ACT003 API001 API002 API003 API004 API005 API006 API007 ARC004 CBG001 CBG002 EXE001 EXE002 EXE003 EXE004 EXE005
@@ -73,7 +73,7 @@ def examples(tmp_path_factory: pytest.TempPathFactory) -> list[Judged]:
         row
         for example in load_examples(pages_folder())
         if example.section == "bad"
-        and (example.page_code.startswith("PKG") or any("launch" in f for f in example.files))
+        and (example.page_code in SCOPES[Scope.WORKSPACE].split() or any("launch" in f for f in example.files))
         for row in _judged(example.write, tmp_path_factory.mktemp("example"))
     ]
 
@@ -106,10 +106,11 @@ def test_what_is_asked_once_finds_nothing_more_in_a_launched_system(examples: li
 def test_what_is_of_the_workspace_needs_no_nodes_and_what_is_of_code_does(examples: list[Judged]):
     found = [row for row in examples if row.open]
     alike = {row.code for row in found if row.open == row.without_nodes}
-    assert alike == {"API002", "LCH008", *SCOPES[Scope.WORKSPACE].split()}
+    others = {"API002", "LCH008", "PRM002"}
+    assert alike == {*others, *SCOPES[Scope.WORKSPACE].split()}
     # A launch file in which launch finds nothing makes no system: LCH008 asks the open one for it.  API002 judges the
-    # imports of each file, too, beside the calls of its programs.
-    assert {registered()[code].scope for code in alike - {"API002", "LCH008"}} == {Scope.WORKSPACE}
+    # imports of each file, too, beside the calls of its programs, and PRM002 files that are for nodes from elsewhere.
+    assert {registered()[code].scope for code in alike - others} == {Scope.WORKSPACE}
 
 
 # --- when a rule is asked

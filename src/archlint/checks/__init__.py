@@ -82,6 +82,7 @@ MODULES: tuple[str, ...] = (
     "unread_arguments",
     "wait_loops",
     "contracts",
+    "controlled_joints",
     "dashed_options",
     "declared_owners",
     "layers",

@@ -58,7 +58,7 @@ def mistyped_values(workspace: WorkspaceIndex) -> Iterator[Mistyped]:
 
 def _owned(facts: ParameterFacts) -> Iterator[tuple[ParameterEntry, str, str]]:
     """The values of a file that are for a plugin, or for a node of Nav2: each with its name there."""
-    types = _controllers(facts)
+    types = controllers_of(facts)
     of_nav2 = _is_of_nav2(facts)
     for section in facts.sections:
         node = section.path[-1].rpartition("/")[2] if section.path else ""
@@ -79,7 +79,7 @@ def _plugins(section: ParameterSection) -> dict[tuple[str, ...], str]:
     return dict(sorted(named.items(), key=lambda row: -len(row[0])))
 
 
-def _controllers(facts: ParameterFacts) -> dict[str, str]:
+def controllers_of(facts: ParameterFacts) -> dict[str, str]:
     """The types of the controllers of a file, by their names: what the controller manager or they themselves get."""
     types: dict[str, str] = {}
     for section in facts.sections:
@@ -132,4 +132,4 @@ def _rewritten(workspace: WorkspaceIndex, file: str) -> set[str]:
     }
 
 
-__all__ = ["Mistyped", "mistyped_values"]
+__all__ = ["Mistyped", "controllers_of", "mistyped_values"]

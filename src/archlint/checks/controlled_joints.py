@@ -1,0 +1,65 @@
+"""PRM012: joints and interfaces of controllers that the robot does not have, and values for joints of others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.folding import folds, with_places
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Severity
+from archlint.launch_files.controlled_joints import (
+    ForNoJoint,
+    UnknownInterface,
+    UnknownJoint,
+    wrong_for_controllers,
+)
+from archlint.launch_files.unloaded_parameter_files import has_no_reader
+from archlint.suggestions import listed, meant, nearest
+
+if TYPE_CHECKING:
+    from archlint.launch_files.controlled_joints import Mistake
+    from archlint.systems.model import System
+
+
+@rule("PRM012", scope=Scope.WORKSPACE)
+def joint_of_no_robot(system: System, options: Options) -> Iterator[Finding]:
+    """What parameter files give to controllers in vain."""
+    workspace = system.workspace
+    if workspace is None:
+        return
+    for row in wrong_for_controllers(workspace):
+        told = _told(row)
+        yield replace(told, severity=Severity.INFO) if has_no_reader(workspace, told.place.file) else told
+
+
+def _told(row: Mistake) -> Finding:
+    match row:
+        case UnknownJoint(place=place, controller=controller, parameter=parameter, name=name, meant=near):
+            message = f"no robot description here has '{name}', which '{controller}' is given as one of its {parameter}"
+            message, help = f"{message}{meant(repr(near))}", f"write '{near}'"
+        case UnknownInterface(place=place, controller=controller, joint=joint, name=name, known=known):
+            kind = "command" if row.commands else "state"
+            message = f"'{controller}' wants the {kind} interface '{joint}/{name}', and the hardware there has "
+            near = nearest(name, known) or (known[0] if len(known) == 1 else "")
+            message += listed([f"'{other}'" for other in known])
+            help = f"write '{near}'" if near else "write one that the description has, or add it there"
+        case ForNoJoint(place=place, controller=controller, parameter=parameter, name=name, joints=joints):
+            near = nearest(name, joints) or ""
+            message = f"'{controller}' has {parameter} for '{name}', which is none of its joints"
+            message += meant(near and f"'{near}'")
+            help = f"write '{near}'" if near else f"remove them, or name the joint; it has {listed(list(joints))}"
+    return finding(
+        "PRM012", place, message, help=help, identity=(controller, name), group=(place.file, controller, name)
+    )
+
+
+@folds("PRM012")
+def _of_one_name(several: Sequence[Finding]) -> Finding:
+    """One finding for a name that is wrong in one controller, wherever it stands there."""
+    return with_places(several, "the same name is wrong here, too")
+
+
+__all__ = ["joint_of_no_robot"]

@@ -1,0 +1,197 @@
+"""What parameter files give to controllers of ros2_control and the robot does not have, or the controller itself."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside
+from archlint.analysis.kept import once
+from archlint.launch_files.plugin_parameters import controllers_of
+from archlint.launch_files.unloaded_parameter_files import parameter_files
+from archlint.place import Place
+from archlint.suggestions import nearest
+from archlint.syntax.robot_descriptions import Component, Named, RobotDescription, read_description
+
+if TYPE_CHECKING:
+    from archlint.syntax.parameter_files import ParameterEntry, ParameterSection
+    from archlint.systems.model import WorkspaceIndex
+
+_ENDINGS = (".urdf", ".xacro", ".sdf", ".world")
+_JOINTS = frozenset(
+    {
+        *("joints", "joint", "command_joints", "dof_names", "gpios", "left_wheel_names", "right_wheel_names"),
+        *("front_wheels_names", "rear_wheels_names", "traction_joint_name", "steering_joint_name", "wheel_names"),
+        *("traction_joints_names", "steering_joints_names"),
+    }
+)
+"""The parameters of the controllers of ros2_controllers that name joints, or other components."""
+_FOR_EACH = ("gains", "constraints")
+"""The maps that have a key for each joint, beside those for all."""
+_FOR_ALL = frozenset({"goal_time", "stopped_velocity_tolerance"})
+_INTERFACES = ("command_interfaces", "state_interfaces")
+
+
+@dataclass(frozen=True)
+class UnknownJoint:
+    """A joint of a controller that no description has, and the one that was meant."""
+
+    place: Place
+    controller: str
+    parameter: str
+    name: str
+    meant: str
+
+
+@dataclass(frozen=True)
+class UnknownInterface:
+    """An interface that a controller wants of a joint, and those that the hardware has there."""
+
+    place: Place
+    controller: str
+    joint: str
+    name: str
+    known: tuple[str, ...]
+    commands: bool
+
+
+@dataclass(frozen=True)
+class ForNoJoint:
+    """A value for a joint that is none of the controller's."""
+
+    place: Place
+    controller: str
+    parameter: str
+    name: str
+    joints: tuple[str, ...]
+
+
+Mistake = UnknownJoint | UnknownInterface | ForNoJoint
+
+
+def wrong_for_controllers(workspace: WorkspaceIndex) -> Iterator[Mistake]:
+    """Everything of that kind, file by file."""
+    for file, facts in parameter_files(workspace):
+        types = controllers_of(facts)
+        for section in facts.sections:
+            controller = section.path[-1].rpartition("/")[2] if section.path else ""
+            if controller in types:
+                joints = _joints_of(section)
+                yield from _unknown_joints(workspace, file, controller, section)
+                yield from _for_no_joint(file, controller, section, joints)
+                yield from _unknown_interfaces(workspace, file, controller, section, joints)
+
+
+def _texts(value: object) -> list[str]:
+    rows = value if isinstance(value, list) else [value]
+    return [row for row in rows if isinstance(row, str) and row and not re.search(r"[$<{/]", row)]
+
+
+def _joints_of(section: ParameterSection) -> tuple[str, ...]:
+    return tuple(name for entry in section.entries if entry.name in _JOINTS for name in _texts(entry.value))
+
+
+# ------------------------------------------------------------------------------------------------- joints
+
+
+def _unknown_joints(
+    workspace: WorkspaceIndex, file: str, controller: str, section: ParameterSection
+) -> Iterator[UnknownJoint]:
+    descriptions = _descriptions(workspace)
+    for entry in section.entries:
+        if entry.name not in _JOINTS:
+            continue
+        for name in _texts(entry.value):
+            if not any(row.may_be(name) for description in descriptions for row in description.names):
+                meant = _meant(name, _literals(workspace))
+                if meant is not None:
+                    yield UnknownJoint(Place(file, *entry.span), controller, entry.name, name, meant)
+
+
+_NUMBER = re.compile(r"\d+")
+_ENDING = re.compile(r"_(?:joint|link|wheel|motor)$")
+
+
+def _meant(name: str, known: Sequence[str]) -> str | None:
+    """The joint that is almost called so: one with the same numbers, for two of them are two joints."""
+    alike = [other for other in known if _NUMBER.findall(other) == _NUMBER.findall(name)]
+    same = [other for other in alike if _ENDING.sub("", other) == _ENDING.sub("", name)]
+    return same[0] if len(same) == 1 else nearest(name, alike)
+
+
+@once
+def _descriptions(workspace: WorkspaceIndex) -> list[RobotDescription]:
+    tree = workspace.tree
+    files = [file for folder in sorted(workspace.manifests) for file in tree.files_below(folder)]
+    wanted = [file for file in dict.fromkeys(files) if file.endswith(_ENDINGS) and not is_aside(workspace, file)]
+    return [read_description(tree.text(file) or "") for file in wanted]
+
+
+@once
+def _literals(workspace: WorkspaceIndex) -> list[str]:
+    rows = (row for description in _descriptions(workspace) for row in description.names if row.is_literal)
+    return sorted({row.name for row in rows})
+
+
+# ------------------------------------------------------------------------------------------------- values for joints
+
+
+def _for_no_joint(
+    file: str, controller: str, section: ParameterSection, joints: tuple[str, ...]
+) -> Iterator[ForNoJoint]:
+    """The first such value for each name."""
+    seen: set[tuple[str, str]] = set()
+    for entry in section.entries:
+        if len(entry.path) < 3 or entry.path[0] not in _FOR_EACH:
+            continue
+        kind, name = entry.path[0], ".".join(entry.path[1:-1])
+        if not joints or name in joints or name in _FOR_ALL or re.search(r"[$<{/]", name) or (kind, name) in seen:
+            continue
+        if len(entry.path) > 3 and any(joint.startswith(f"{entry.path[1]}.") for joint in joints):
+            continue
+        seen.add((kind, name))
+        yield ForNoJoint(Place(file, *entry.span), controller, kind, name, joints)
+
+
+# ------------------------------------------------------------------------------------------------- interfaces
+
+
+def _unknown_interfaces(
+    workspace: WorkspaceIndex, file: str, controller: str, section: ParameterSection, joints: tuple[str, ...]
+) -> Iterator[UnknownInterface]:
+    for entry in section.entries:
+        kind = entry.path[0]
+        if kind not in _INTERFACES:
+            continue
+        for joint in joints if len(entry.path) == 1 else [name for name in joints if name == entry.path[1]]:
+            known = _interfaces(workspace, joint, kind == "command_interfaces")
+            for name in _wanted(entry):
+                if known and name not in known:
+                    place = Place(file, *entry.span)
+                    yield UnknownInterface(place, controller, joint, name, known, kind == "command_interfaces")
+
+
+def _wanted(entry: ParameterEntry) -> list[str]:
+    """The names of interfaces: in a list, or in a list of maps, as the documentation of gpio_controllers has them."""
+    rows = entry.value if isinstance(entry.value, list) else [entry.value]
+    nested = [row["interfaces"] for row in rows if isinstance(row, dict) and isinstance(row.get("interfaces"), list)]
+    return _texts(entry.value) + [name for row in nested for name in _texts(row)]
+
+
+def _interfaces(workspace: WorkspaceIndex, joint: str, commands: bool) -> tuple[str, ...]:
+    """The interfaces that the hardware of all descriptions has for a component; empty where they are not all known."""
+    matching = [row for row in _components(workspace) if row.name.may_be(joint)]
+    if not any(row.name.is_literal for row in matching):
+        return ()
+    names: list[Named] = [name for row in matching for name in (row.commands if commands else row.states)]
+    return tuple(sorted({name.name for name in names})) if all(name.is_literal for name in names) else ()
+
+
+@once
+def _components(workspace: WorkspaceIndex) -> list[Component]:
+    return [row for description in _descriptions(workspace) for row in description.components]
+
+
+__all__ = ["ForNoJoint", "Mistake", "UnknownInterface", "UnknownJoint", "wrong_for_controllers"]

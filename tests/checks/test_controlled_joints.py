@@ -1,0 +1,130 @@
+"""PRM012: what parameter files give to controllers of ros2_control in vain."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+from robot_package import SETUP
+
+ROBOT = """\
+<robot name="robot">
+  <joint name="elbow_joint" type="fixed"/>
+  <joint name="arm_joint_1" type="fixed"/>
+  <ros2_control name="robot" type="system">
+    <joint name="elbow_joint"><command_interface name="velocity"/><state_interface name="position"/></joint>
+    <gpio name="lights"><command_interface name="set_led"/></gpio>
+  </ros2_control>
+</robot>
+"""
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+arm:
+  ros__parameters:
+"""
+
+
+def _told(findings, *lines: str, robot: str = ROBOT, head: str = CONTROLLERS):
+    text = head + "".join(f"    {line}\n" for line in lines)
+    return findings("PRM012", **{"config/p.yaml": text, "urdf/robot.urdf.xacro": robot})
+
+
+@pytest.mark.parametrize(
+    ("lines", "message", "help"),
+    [
+        (
+            ("joints: [elbow]",),
+            "no robot description here has 'elbow', which 'arm' is given as one of its joints; did you mean "
+            "'elbow_joint'?",
+            "write 'elbow_joint'",
+        ),
+        (
+            ("left_wheel_names: ['elbwo_joint']",),
+            "no robot description here has 'elbwo_joint', which 'arm' is given as one of its left_wheel_names; did you "
+            "mean 'elbow_joint'?",
+            "write 'elbow_joint'",
+        ),
+        (
+            ("joints: [elbow_joint]", "command_interfaces: [position]"),
+            "'arm' wants the command interface 'elbow_joint/position', and the hardware there has 'velocity'",
+            "write 'velocity'",
+        ),
+        (
+            ("gpios: [lights]", "command_interfaces:", "  lights:", "  - interfaces: [set_leds]"),
+            "'arm' wants the command interface 'lights/set_leds', and the hardware there has 'set_led'",
+            "write 'set_led'",
+        ),
+        (
+            ("joints: [elbow_joint]", "gains:", "  elbow: {p: 1.0}"),
+            "'arm' has gains for 'elbow', which is none of its joints",
+            "remove them, or name the joint; it has elbow_joint",
+        ),
+        (
+            ("joints: [elbow_joint]", "constraints:", "  elbow_jiont: {goal: 0.1, trajectory: 0.2}"),
+            "'arm' has constraints for 'elbow_jiont', which is none of its joints; did you mean 'elbow_joint'?",
+            "write 'elbow_joint'",
+        ),
+    ],
+)
+def test_what_the_robot_or_the_controller_does_not_have(findings, lines: tuple[str, ...], message: str, help: str):
+    (told,) = _told(findings, *lines)
+    assert (told.message, told.help, told.severity) == (message, help, Severity.WARNING)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("joints: [elbow_joint]", "command_interfaces: [velocity]", "state_interfaces: [position]"),
+        ("joints: [elbow_joint]", "gains: {elbow_joint: {p: 1.0}}", "constraints: {goal_time: 0.5}"),
+        ("joints: [shoulder_pan_joint]",),  # the robot may be elsewhere
+        ("joints: [arm_joint_2]",),  # another joint than that with the number 1
+        ("joints: [arm_joint_1]", "command_interfaces: [position]"),  # no hardware here has it
+        ("command_joints: [elbow_pid/elbow]",),  # a controller in front of the joint
+        ("joints: [$(var prefix)elbow]",),
+        ("gains: {elbow: {p: 1.0}}",),  # its joints stand elsewhere
+        ("joints: [elbow_joint]", "constraints: {stopped_velocity_tolerance: 0.1}"),
+    ],
+)
+def test_what_they_have_or_may_have(findings, lines: tuple[str, ...]):
+    assert _told(findings, *lines) == []
+
+
+def test_a_section_of_a_node_that_is_no_controller(findings):
+    assert _told(findings, "joints: [elbow]", head="arm:\n  ros__parameters:\n") == []
+
+
+@pytest.mark.parametrize(
+    ("line", "times"),
+    [
+        ("<joint name='${side}elbow'/>", 0),
+        ("<joint name='$(arg side)_elbow'/>", 1),  # never without the bar in front
+        ("<!-- <joint name='elbow'/> -->", 1),
+    ],
+)
+def test_a_name_that_xacro_makes(findings, line: str, times: int):
+    robot = ROBOT.replace('<joint name="arm_joint_1" type="fixed"/>', line)
+    assert len(_told(findings, "joints: [elbow]", robot=robot)) == times
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        '<joint name="elbow_joint"><command_interface name="${mode}"/></joint>',
+        '<joint name="elbow_joint"><command_interface name="position"/></joint>',  # of another variant
+        '<joint name="${prefix}elbow_joint"><command_interface name="position"/></joint>',
+    ],
+)
+def test_an_interface_that_another_description_may_have(findings, line: str):
+    other = f"<robot><ros2_control>{line}</ros2_control></robot>"
+    text = CONTROLLERS + "    joints: [elbow_joint]\n    command_interfaces: [position]\n"
+    files = {"config/p.yaml": text, "urdf/robot.urdf.xacro": ROBOT, "urdf/other.xacro": other}
+    assert findings("PRM012", **files) == []
+
+
+def test_a_file_that_nobody_reads_is_information(findings):
+    not_installed = {"setup.py": SETUP.replace("glob('config/*')", "[]")}
+    text = CONTROLLERS + "    joints: [elbow]\n"
+    (told,) = findings("PRM012", **{"config/p.yaml": text, "urdf/robot.urdf.xacro": ROBOT}, **not_installed)
+    assert told.severity == Severity.INFO
