@@ -263,7 +263,11 @@ class _Rows:
     def items(self) -> list[object]:
         known, fill, new = self._known, self._fill, object.__new__
         records, words = self._language.records, self._language.words
+        place = self._language.numbers.get(Place)
         for number, row in enumerate(self._payload.values, len(_EMPTY)):
+            if row[0] == place:  # half of all, with nothing in them to look up
+                known[number] = Place(*row[1:])
+                continue
             if row[0] >= len(records):
                 known[number] = words[row[0] - len(records)](row[1])
                 continue

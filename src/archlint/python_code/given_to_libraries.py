@@ -9,6 +9,7 @@ import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import kept
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.python_code.class_chains import (
     Chain,
@@ -20,7 +21,7 @@ from archlint.python_code.class_chains import (
 )
 from archlint.ros import packages
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in, once_for
+from archlint.syntax.parts import Itself, everything_in, once_for
 
 if TYPE_CHECKING:
     from archlint.place import Place
@@ -65,7 +66,13 @@ def _hands_itself_on(code: facts.Class) -> bool:
 
 
 def _gives(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
-    return _hands_itself_on(workspace, cls) and any(
+    return _hands_itself_on(workspace, cls) and kept(
+        workspace, (_gives, Itself(cls.code)), lambda: _gives_by_methods(workspace, cls)
+    )
+
+
+def _gives_by_methods(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
+    return any(
         _hands_on(workspace, cls.file, method.params[0].name, method, cls.code)
         for method in methods_of(cls.code)
         if method.params

@@ -6,13 +6,13 @@ import sys
 from collections import Counter, defaultdict
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once
+from archlint.analysis.kept import kept_for_each_file, once
 from archlint.libraries.module_names import modules_with
 from archlint.ros import standard_interfaces
 from archlint.ros.interfaces import is_interface_name
 from archlint.syntax import facts
 from archlint.syntax.interfaces import INTERFACE_KINDS
-from archlint.syntax.parts import everything_in, once_for
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -176,13 +176,13 @@ def imports_file(workspace: WorkspaceIndex, path: str, file: str) -> bool:
 def _imports(workspace: WorkspaceIndex) -> dict[str, Counter[str]]:
     """By the name that it binds, how many files have each import statement."""
     counts: dict[str, Counter[str]] = defaultdict(Counter)
-    for _, file_facts in workspace.code.asked_for():
-        for name, statement in _statements(file_facts):
+    for file, _ in workspace.code.asked_for():
+        for name, statement in _statements(workspace, file.relative) or ():
             counts[name][statement] += 1
     return counts
 
 
-@once_for
+@kept_for_each_file
 def _statements(code: facts.Facts) -> frozenset[tuple[str, str]]:
     rows = set()
     for statement in everything_in(code.body, facts.Import):

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.place import Place
 from archlint.python_code.class_chains import classes_of, methods_of
 from archlint.python_code.field_operations import (
@@ -23,7 +24,7 @@ from archlint.python_code.plain_kinds import values_of_self
 from archlint.python_code.text_sums import is_its_own
 from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself, everything_in, parts_of
+from archlint.syntax.parts import Itself, parts_of
 from archlint.syntax.walk import is_none
 
 if TYPE_CHECKING:
@@ -67,9 +68,9 @@ def _of_class(file: str, cls: facts.Class, attributes: dict[str, _Field]) -> Ite
 
 def _kept(system: System, file: str, cls: facts.Class) -> dict[str, _Field]:
     """The attributes that hold a field of a message, or a plain value before."""
-    uses = fields_read(system)
-    if not any((file, *part.span) in uses for part in everything_in(cls.body, facts.Attribute)):
+    if not any(cls.span[0] <= line <= cls.span[2] for line in _lines_of_reads(system).get(file, ())):
         return {}
+    uses = fields_read(system)
     attributes: dict[str, _Field] = {}
     for name, values in values_of_self(cls).items():
         known = [value for value in values if value is not None]
@@ -80,6 +81,15 @@ def _kept(system: System, file: str, cls: facts.Class) -> dict[str, _Field]:
         if one_type and len(known) == len(values) and all(map(is_plain, others)):
             attributes[name] = (*fields[0], all(is_none(value) for value in others))
     return attributes
+
+
+@once
+def _lines_of_reads(system: System) -> dict[str, set[int]]:
+    """The lines that read fields, by their files."""
+    lines: dict[str, set[int]] = {}
+    for file, line, *_ in fields_read(system):
+        lines.setdefault(file, set()).add(line)
+    return lines
 
 
 __all__ = ["kept_field_operations"]

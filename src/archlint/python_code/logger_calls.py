@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import kept_for_each_file, once_for_each_file
+from archlint.analysis.kept import kept_for_each_file
 from archlint.libraries.api_signatures import distros
 from archlint.model import Misuse, RefusedCall
 from archlint.place import Place
@@ -62,7 +62,7 @@ def refused_logger_calls(workspace: WorkspaceIndex) -> Iterator[RefusedCall]:
                 )
 
 
-@once_for_each_file
+@kept_for_each_file
 def _has_own_loggers(file_facts: facts.Facts) -> bool:
     """Whether a class has a method ``get_logger`` of its own."""
     methods = (function for cls in classes_of(file_facts) for function in methods_of(cls))

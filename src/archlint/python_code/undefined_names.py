@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import kept_for_few_files, once
+from archlint.analysis.kept import kept_for_each_file, once
 from archlint.launch.files import GENERATE
 from archlint.place import Place
 from archlint.python_code.left_blanks import is_left_blank
@@ -69,27 +69,28 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
     for file, file_facts in (*workspace.code.judged(), *_setup_files(workspace)):
         if file.kind not in _KINDS or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
             continue
-        unbound = _unbound(workspace, file.relative)
+        unbound = _unbound(workspace, file.relative) or []
         if file.kind == "launch_python" and file.relative not in _programs_called_like_launch_files(workspace):
             if file_facts.problems:
                 continue  # Python refuses all of it
             if not any(function.name == GENERATE for function in statements_of(file_facts.body, facts.Function)):
                 continue  # nothing launches it: any text may be called like a launch file, and linked from anywhere
             idle = _idle_functions(file_facts)
-            unbound = [r for r in unbound if (file.relative, r.name.id) not in told]
-            unbound = [r for r in unbound if not any(covers(function, r.name.span) for function in idle)]
+            unbound = [r for r in unbound if (file.relative, r.name) not in told]
+            unbound = [r for r in unbound if not any(covers(function, r.span) for function in idle)]
         brought = starred(workspace, file.relative, file_facts) if unbound else None
         if brought is None:
             continue
-        names = {r.name.id for r in unbound if is_left_blank(workspace, file.relative, r.name.id, r.name.span[0])}
-        for read in (read for read in unbound if read.name.id not in names):
-            if (read.added or not brought.has(read.name.id)) and not _is_blank(read.name.id):
-                known = read.known | brought.names if brought.names else read.known  # a copy for each read is a square
-                place, span = Place(file.relative, *read.name.span), read.name.span
+        names = {r.name for r in unbound if is_left_blank(workspace, file.relative, r.name, r.span[0])}
+        for read in (read for read in unbound if read.name not in names):
+            if (read.added or not brought.has(read.name)) and not _is_blank(read.name):
+                known = _known_at(file_facts)[read]
+                known = known | brought.names if brought.names else known  # a copy for each read is a square
+                place, span = Place(file.relative, *read.span), read.span
                 of_self = read.of_self and span not in _first_values(file_facts)
                 called = span in _called(file_facts)
                 caught = span in _caught(file_facts)
-                yield Undefined(place, read.name.id, known, of_self, read.added, read.without_self, called, caught)
+                yield Undefined(place, read.name, known, of_self, read.added, read.without_self, called, caught)
 
 
 def _setup_files(workspace: WorkspaceIndex) -> Iterator[tuple[SourceFile, facts.Facts]]:
@@ -185,11 +186,15 @@ def _idle_functions(code: facts.Facts) -> list[facts.Function]:
 class _Read:
     """A read of a name that no scope around it binds."""
 
-    name: facts.Name
-    known: frozenset[str]
+    name: str
+    span: facts.Span
     of_self: bool
     added: bool = False
     without_self: str = ""
+
+
+_Known = tuple[_Read, frozenset[str]]
+"""Such a read, and all names that the code there can read."""
 
 
 @dataclass(frozen=True)
@@ -206,15 +211,26 @@ class _Scope:
     def within(self, names: frozenset[str]) -> _Scope:
         return replace(self, names=self.names | names)
 
-    def read(self, name: facts.Name, *, added: bool = False) -> _Read:
+    def read(self, name: facts.Name, *, added: bool = False) -> _Known:
         is_member = name.id in self.members or (name.id == "self" and bool(self.without_self))
         of_self = is_member and "self" in self.names
-        return _Read(name, self.names, of_self, added, self.without_self if is_member and not of_self else "")
+        without_self = self.without_self if is_member and not of_self else ""
+        return _Read(name.id, name.span, of_self, added, without_self), self.names
 
 
-@kept_for_few_files
+@kept_for_each_file
 def _unbound(code: facts.Facts) -> list[_Read]:
     """The first read of each such name in each function of a file."""
+    return [read for read, _ in _unbound_with_names(code)]
+
+
+@once_for
+def _known_at(code: facts.Facts) -> dict[_Read, frozenset[str]]:
+    """The names that the code can read which has such a read."""
+    return dict(_unbound_with_names(code))
+
+
+def _unbound_with_names(code: facts.Facts) -> list[_Known]:
     asked = _asked_for(code)
     if not _ROS_1.isdisjoint(_modules_of(code)) or asked is None:
         return []
@@ -245,7 +261,7 @@ def _modules_of(code: facts.Facts) -> set[str]:
     return tops | {part.module.partition(".")[0] for part in everything_in(code.body, facts.ImportFrom)}
 
 
-def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Read]:
+def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Known]:
     """The first read of each name that code reads and that is not in its scope, in the order of the source."""
     seen: set[str] = set()
     stack = list(reversed(body))
@@ -284,7 +300,7 @@ def _evaluated_outside(part: facts.Function | facts.Lambda | facts.Class) -> lis
             return [param.default for param in params if param.default is not None]
 
 
-def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Scope) -> Iterator[_Read]:
+def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Scope) -> Iterator[_Known]:
     match part:
         case facts.Class(body=body):
             own = frozenset(bound_in(body))
@@ -304,7 +320,7 @@ def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Sco
             yield from _reads([body], scope.within(frozenset((*(param.name for param in params), *bound_in([body])))))
 
 
-def _only_added_to(function: facts.Function, scope: _Scope) -> Iterator[_Read]:
+def _only_added_to(function: facts.Function, scope: _Scope) -> Iterator[_Known]:
     """The local variables that a function changes with ``+=`` alone, so that nothing ever gives them a value."""
     params = frozenset(param.name for param in function.params)
     others = {

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_each_file
 from archlint.python_code.offered_names import MAKES_NAMES
 from archlint.ros.python_modules import key_of
 from archlint.syntax import facts
@@ -98,7 +98,7 @@ def _calls_init_or_others(workspace: WorkspaceIndex, path: str, without_main: bo
     )
 
 
-@once_for_each_file
+@kept_for_each_file
 def _modules_of(code: facts.Facts) -> tuple[bool, frozenset[str]]:
     """Whether a file may call ``init()`` itself, and the first words of the modules that it imports, but for those of
     interfaces."""
@@ -109,7 +109,7 @@ def _modules_of(code: facts.Facts) -> tuple[bool, frozenset[str]]:
     return _INITIALISES in {*code.names, *imported} or not MAKES_NAMES.isdisjoint(code.names), tops
 
 
-@once_for_each_file
+@kept_for_each_file
 def _calls_init_in_main_alone(code: facts.Facts) -> bool:
     """Whether only the ``main()`` of a file calls ``init()``, and only the file as a program calls that."""
     guard = main_guard(code)
@@ -124,7 +124,7 @@ def _is_main(part: facts.Statement) -> bool:
     return isinstance(part, facts.Function) and part.name == _MAIN
 
 
-@once_for_each_file
+@kept_for_each_file
 def _takes_main(code: facts.Facts) -> bool:
     """Whether a file may call the ``main()`` of another one."""
     imported = {name for part in everything_in(code.body, facts.ImportFrom) for name, _ in part.names}

@@ -16,7 +16,7 @@ from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.control_flow import always_raises
 from archlint.syntax.flow_facts import covers
-from archlint.syntax.parts import Itself, everything_in, parts_of
+from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
 from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
@@ -90,6 +90,7 @@ def _outside_of_guard(
     return {call: row for call, row in uses.items() if row[0] not in tests or not covers(guard, call)}
 
 
+@once_for
 def _returns_nothing(code: facts.Function) -> bool:
     """Whether a function returns None wherever it ends, and is more than a place for one to be written."""
     if code.is_async or code.is_generator or code.decorators or code.name == "__init__" or always_raises(code.body):

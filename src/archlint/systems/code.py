@@ -47,8 +47,8 @@ class WorkspaceCode:
 
     def cpp_files_that_mention(self, name: str) -> Sequence[str]:
         """The C++ files that can matter in which a name stands anywhere."""
-        paths = (file.relative for file in self._files if file.kind == "cpp" and not file.context)
-        return [path for path in paths if self.mentions(path, name) and self._relevant(self._by_path[path])]
+        files = (file for file in self._files if file.kind == "cpp" and not file.context and self._relevant(file))
+        return [file.relative for file in files if self.mentions(file.relative, name)]
 
     def cpp_files(self) -> Sequence[str]:
         """The C++ files that were asked for and that can matter."""
@@ -107,7 +107,9 @@ class WorkspaceCode:
         if WORD.fullmatch(word):
             return self._tree.words.stand_in(path, word)
         text = self._tree.text(path)
-        return text is not None and re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) is not None
+        if text is None or word not in text:
+            return False
+        return re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) is not None
 
     def files_that_mention(self, name: str) -> Sequence[str]:
         """The Python files, but for launch files, in which a name stands anywhere."""
