@@ -56,6 +56,13 @@ def test_an_except_that_goes_on_to_the_read(judge: Judge):
     assert [row.place.line for row in finding.related] == [15, 16]
 
 
+@pytest.mark.parametrize(("ends", "mark"), [("raise error", ""), ("print(error)", "  # here")])
+def test_an_except_that_calls_what_always_raises(judge: Judge, ends: str, mark: str):
+    lines = ("try:", "    value = float(message.data)", "except ValueError as error:", "    give_up(error)")
+    give_up = f"\n\ndef give_up(error):\n    if 'busy' in str(error):\n        raise RuntimeError('busy')\n    {ends}\n"
+    judge("API005", _node(*lines, f"print(value){mark}") + give_up)
+
+
 def test_two_variables_of_one_line_are_one_finding(judge: Judge):
     lines = ("if message.data:", "    low, high = 1, 2", "else:", "    print(low, high)  # here")
     (finding,) = judge("API005", _node(*lines))

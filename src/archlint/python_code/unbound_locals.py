@@ -11,9 +11,11 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
+from archlint.analysis.source_code import code_of
 from archlint.place import Place
 from archlint.python_code.block_bindings import after, bound_at, is_plain, read_at
 from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, stars
+from archlint.python_code.raising_helpers import never_returns
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, Edge, Kind, reach, without_exceptions
@@ -69,7 +71,19 @@ def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
             continue
         for row in _rows(workspace, path) or ():
             caught = None if row.caught is None else Place(path, *row.caught)
+            if caught is not None and _raises(workspace, Place(path, *row.span), caught):
+                continue
             yield UnboundLocal(Place(path, *row.span), row.name, Place(path, *row.assigned), caught, row.hidden)
+
+
+def _raises(workspace: WorkspaceIndex, read: Place, caught: Place) -> bool:
+    """Whether a handler calls what always raises, ``except OSError as error: give_up(error)``, so that it goes on to no
+    read behind it."""
+    function = code_of(workspace).function_at(read)
+    attempts = () if function is None else parts_of(function.body, facts.Try)
+    handlers = (each for attempt in attempts for each in attempt.handlers if each.span == caught.span)
+    ends = None if function is None else never_returns(workspace, read.file, function)
+    return ends is not None and any(ends(statement) for handler in handlers for statement in handler.body)
 
 
 @kept_for_each_file
