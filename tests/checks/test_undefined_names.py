@@ -104,6 +104,11 @@ def test_a_local_variable_that_is_only_added_to(judge: Judge, line: str, hint: s
     assert finding.help == help
 
 
+def test_a_variable_that_is_added_to_fails_where_it_is_read_first(judge: Judge) -> None:
+    (finding,) = judge("API005", _node("if shared > 3:  # here", "    return", "shared += 1") + "\n\nshared = 0\n")
+    assert finding.help == "write `global shared` in the function"
+
+
 @pytest.mark.parametrize(
     ("method", "message", "help"),
     [

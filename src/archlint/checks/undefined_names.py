@@ -15,7 +15,7 @@ from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
 from archlint.checks.unported import is_part_of_port, told_of_rospy
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.how_imported import defined_beside, idle_import_with, import_of, interface_meant
-from archlint.python_code.names_meant import exception_meant, node_class_meant
+from archlint.python_code.names_meant import exception_meant, first_use, node_class_meant
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
 from archlint.python_code.undefined_beside import stops_a_launch
@@ -137,7 +137,7 @@ PAST_HANDLER = "caught"
 def _finding(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     if read.without_self:
         return _without_self(read)
-    return _unbound_local(read) if read.added else _undefined(workspace, read)
+    return _unbound_local(workspace, read) if read.added else _undefined(workspace, read)
 
 
 def _without_self(read: Undefined) -> Finding:
@@ -154,12 +154,13 @@ def _without_self(read: Undefined) -> Finding:
     )
 
 
-def _unbound_local(read: Undefined) -> Finding:
-    """A variable that ``+=`` makes a local one, so that one of the file or of the class is not meant."""
+def _unbound_local(workspace: WorkspaceIndex, read: Undefined) -> Finding:
+    """A variable that ``+=`` makes a local one, so that one of the file or of the class is not meant: the function
+    fails where it reads it first."""
     is_global = not read.of_self and read.name in read.known
     return finding(
         "API005",
-        read.place,
+        first_use(workspace, read.place, read.name),
         f"nothing gives '{read.name}' a value in this function: this line fails with an UnboundLocalError"
         + meant(f"'self.{read.name}'" if read.of_self else ""),
         help=f"write `global {read.name}` in the function" if is_global else _cure_of(read),

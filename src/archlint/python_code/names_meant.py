@@ -1,16 +1,17 @@
-"""What an undefined name stands for, by where it stands: the node that is spun, the exception that is caught."""
+"""What an undefined name stands for, by where it stands, such as a node that is spun or an exception that is caught."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.source_code import code_of
+from archlint.place import Place
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in, once_for
+from archlint.syntax.parts import everything_in, once_for, parts_of
 from archlint.syntax.walk import called_name
 
 if TYPE_CHECKING:
-    from archlint.finding import Place
     from archlint.systems.model import WorkspaceIndex
 
 _TAKE_A_NODE = frozenset({"add_node", "spin", "spin_once", "spin_until_future_complete"})
@@ -71,4 +72,11 @@ def exception_meant(workspace: WorkspaceIndex, file: str, name: str) -> str:
     return "name the class of the exception that is meant"
 
 
-__all__ = ["exception_meant", "node_class_meant"]
+def first_use(workspace: WorkspaceIndex, place: Place, name: str) -> Place:
+    """Where the function around a place has a name first: there it fails, if nothing gives it a value."""
+    function = code_of(workspace).function_at(place)
+    uses = () if function is None else parts_of(function.body, facts.Name)
+    return Place.of(place.file, min([place.span, *(use.span for use in uses if use.id == name)]))
+
+
+__all__ = ["exception_meant", "first_use", "node_class_meant"]
