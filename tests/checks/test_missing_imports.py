@@ -410,3 +410,10 @@ def test_a_module_that_is_called_like_its_package(said: Callable[..., list[Findi
 )
 def test_an_import_of_a_file_that_may_be_the_program(said: Callable[..., list[Finding]], line: str, told: int) -> None:
     assert len(said(line)) == told
+
+
+@pytest.mark.parametrize(
+    ("line", "told"), [("from . import _talker", 0), ("from robot import _talker", 0), ("from . import _radio", 1)]
+)
+def test_the_compiled_part_of_a_wrapper_is_no_file(said: Callable[..., list[Finding]], line: str, told: int) -> None:
+    assert len(said(line)) == told

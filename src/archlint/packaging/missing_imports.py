@@ -70,13 +70,20 @@ def _missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
             continue
         for written, level, names, span in _imports(workspace, file.relative) or ():
             place, module = Place(file.relative, *span), absolute(file, written, level)
-            if not module:
+            compiled = _compiled_part(file)
+            if not module or module.rpartition(".")[2] == compiled:
                 continue
+            names = [name for name in names if name != compiled]
             beside = not level and span not in _of_scripts(workspace, file.relative)
             missing = _beside(workspace, file, module, place) if beside else None
             missing = missing or _absent(workspace, file, module, place)
             missing = missing or (_nowhere(workspace, file, module, names, place) if beside else None)
             yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
+
+
+def _compiled_part(file: SourceFile) -> str:
+    """``_firmware`` for ``firmware.py``: so SWIG calls the library that it compiles for a wrapper in Python."""
+    return f"_{posixpath.basename(file.relative).removesuffix('.py')}"
 
 
 def _nowhere(
