@@ -442,3 +442,22 @@ def test_macros_may_be_made_of_others() -> None:
     """
     [node] = graph({"src/robot.cpp": source})["nodes"]
     assert [(end["name"], end["qos"]["depth"]) for end in node["publishers"]] == [("/arm/state", 5)]
+
+
+BOTH_ROS = """
+#include "rclcpp/rclcpp.hpp"
+%s
+class Robot : public rclcpp::Node {
+public:
+  Robot() : rclcpp::Node("robot") { create_publisher<StringMsg>("a", 1); }
+};
+"""
+ROS_1, ROS_2 = "using StringMsg = std_msgs::String;", "using StringMsg = std_msgs::msg::String;"
+
+
+@pytest.mark.parametrize("branches", [("#if defined(FOR_ROS2)", ROS_2, ROS_1), ("#ifdef FOR_ROS1", ROS_1, ROS_2)])
+def test_of_the_types_of_ros_1_and_ros_2_the_latter_is_meant(branches: tuple[str, str, str]) -> None:
+    condition, first, second = branches
+    aliases = f"{condition}\n{first}\n#else\n{second}\n#endif"
+    [node] = graph({"src/robot.cpp": BOTH_ROS % aliases})["nodes"]
+    assert [end["type"] for end in node["publishers"]] == ["std_msgs/msg/String"]

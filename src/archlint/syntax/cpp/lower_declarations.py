@@ -218,8 +218,11 @@ class DeclarationLowering(CallLowering):
                 self.names.templates[name] = parts
             body.append(facts.Assign([facts.Name(name, span)], facts.Opaque("a type", span), span))
             return
+        meant = [part.name for part in parts]
+        if not self.names.scopes and _is_of_ros1(meant, self.names.aliases.get(name, [])):
+            return
         value = self.names.resolve(parts, span)
-        self.names.aliases[name] = [part.name for part in parts]
+        self.names.aliases[name] = meant
         body.append(facts.Assign([facts.Name(name, span)], value, span))
 
     def using(self, node: Node, body: list[Stmt]) -> None:
@@ -286,5 +289,12 @@ _DEFAULT_MADE = frozenset(
         *("message_filters.Subscriber", "image_transport.SubscriberFilter"),
     }
 )
+
+
+def _is_of_ros1(meant: list[str], before: list[str]) -> bool:
+    """Whether a name stands for an interface as ROS 1 writes it, ``std_msgs::String``, and another branch of the
+    preprocessor gives it the same of ROS 2, ``std_msgs::msg::String``."""
+    return len(before) == 3 and before[1] in INTERFACE_KINDS and meant == [before[0], before[2]]
+
 
 __all__ = ["DeclarationLowering"]
