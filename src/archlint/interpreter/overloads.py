@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import FunctionValue, Known, Value
@@ -47,8 +48,8 @@ def meant(overloads: Overloads, function: FunctionValue, site: CallSite) -> Func
     """The one that takes as many arguments as are given; where none does, the shortest that could with the defaults of
     its declaration, which a definition outside of the class does not repeat; else the one that takes the fewest.
 
-    Of several that take as many it is the one whose parameters have the types of the constants that are given; types
-    that say nothing leave the one that was found by the name.
+    Of several that take as many it is the one whose parameters have the types of the constants and the classes of the
+    objects that are given; types that say nothing leave the one that was found by the name.
     """
     functions = all_of(overloads, function)
     if len(functions) < 2:
@@ -63,19 +64,29 @@ def meant(overloads: Overloads, function: FunctionValue, site: CallSite) -> Func
 
 
 def _of_given_types(functions: list[FunctionValue], site: CallSite) -> list[FunctionValue]:
-    """Those of some functions whose parameters have the most types in common with the constants of a call."""
+    """Those of some functions whose parameters have the most types in common with the arguments of a call."""
     if len(functions) < 2:
         return functions
-    given = [_KIND_OF_VALUE.get(value.python_type) if isinstance(value, Known) else None for value in site.args]
-    shared = [_types_shared(function, given) for function in functions]
+    shared = [_types_shared(function, site.args) for function in functions]
     return [function for function, count in zip(functions, shared, strict=True) if count == max(shared)]
 
 
-def _types_shared(function: FunctionValue, given: list[str | None]) -> int:
-    """How many constants have the type of their parameter; -1 where a text is given for a number, or the reverse."""
+def _types_shared(function: FunctionValue, given: Sequence[Value]) -> int:
+    """How many arguments have the type of their parameter; -1 where one has another: a text for a number, or the
+    reverse, or an object for one of another class."""
     count = 0
-    for param, kind in zip(function.ir.params, given, strict=False):
-        wanted = None if param.annotation is None or param.kind == "star" else _kind_of_type(param.annotation.dotted)
+    # An object may be given for one of a class that it is converted to, but for no options, and for no number.
+    for param, value in zip(function.ir.params, given, strict=False):
+        if param.annotation is None or param.kind == "star":
+            continue
+        name = param.annotation.dotted
+        wanted = _kind_of_type(name)
+        kind = _KIND_OF_VALUE.get(value.python_type) if isinstance(value, Known) else None
+        if value.class_names and name:
+            last = name.rpartition(".")[2].rpartition("::")[2]
+            if last not in value.class_names and (wanted is not None or last.endswith("Options")):
+                return -1
+            count += last in value.class_names
         if kind is None or wanted is None:
             continue
         if "text" in (kind, wanted) and kind != wanted:

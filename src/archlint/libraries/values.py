@@ -47,6 +47,10 @@ class NodeValue(ForeignValue):
     def heap_key(self) -> int:
         return self.key
 
+    @property
+    def class_names(self) -> frozenset[str]:
+        return frozenset({"LifecycleNode" if self.blueprint.lifecycle else "Node"})
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ExecutorValue(ForeignValue):

@@ -155,6 +155,11 @@ class Value:
         return None
 
     @property
+    def class_names(self) -> frozenset[str]:
+        """The names of its class and of those that this derives from, as far as it is an object of a class."""
+        return frozenset()
+
+    @property
     def dotted(self) -> str:
         """The dotted name under which a library offers it; empty where it is nothing of a library's."""
         return ""

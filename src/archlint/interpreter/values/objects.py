@@ -40,6 +40,13 @@ class Instance(Value):
     def own_class(self) -> ClassValue | None:
         return self.cls if isinstance(self.cls, ClassValue) else None
 
+    @property
+    def class_names(self) -> frozenset[str]:
+        if not isinstance(self.cls, ClassValue):
+            return frozenset({self.cls.dotted.rpartition(".")[2]})
+        own = (base.ir.name for base in self.cls.classes)
+        return frozenset({*own, *(path.rpartition(".")[2] for path in self.cls.external_bases())})
+
     def member_value(self, state: State) -> Value | None:
         """The ``value`` of a member of an enum."""
         return state.store.get(self.key, "value") if self.is_member else None
