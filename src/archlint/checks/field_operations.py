@@ -6,10 +6,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
+from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Related
 from archlint.python_code.field_operations import LEVELS, FieldOperation, field_operations
 from archlint.python_code.kept_fields import kept_field_operations
 from archlint.python_code.kept_messages import kept_message_operations
+from archlint.python_code.made_message_operations import MadeMessageOperation, made_message_operations
 from archlint.python_code.message_operations import MessageOperation, message_operations
 
 if TYPE_CHECKING:
@@ -17,13 +19,26 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _IS = {"int": "an int", "float": "a float", "bool": "a bool", "string": "a string"}
-_OTHERS = {"string": "a string", "number": "a number", "list": "a list"}
+_OTHERS = {"string": "a string", "number": "a number", "list": "a list", "message": "another message"}
 
 
 def operations_on_fields(system: System) -> Iterator[Finding]:
     """The findings about such code."""
     yield from map(_finding, (*field_operations(system), *kept_field_operations(system)))
     yield from map(_of_message, (*message_operations(system), *kept_message_operations(system)))
+    for row in () if system.workspace is None else made_message_operations(system.workspace):
+        yield from unless_uncalled(system, _of_made(row))
+
+
+def _of_made(row: MadeMessageOperation) -> Finding:
+    return finding(
+        "MSG003",
+        row.place,
+        f"'{row.name}' is a message of type {row.type}, {_outcome(row)}",
+        help="use one of its fields",
+        identity=(row.name, row.deed, row.by),
+        group=(row.place.file, row.name, row.type),
+    )
 
 
 def _finding(row: FieldOperation) -> Finding:
@@ -65,7 +80,7 @@ def _what(row: FieldOperation) -> str:
     return _IS.get(row.kind) or f"a {row.type_name}"
 
 
-def _outcome(row: FieldOperation | MessageOperation) -> str:
+def _outcome(row: FieldOperation | MessageOperation | MadeMessageOperation) -> str:
     other = _OTHERS.get(row.other, "")
     match row.deed:
         case "adds":
