@@ -245,3 +245,56 @@ def test_a_function_for_whose_truth_a_condition_asks(judge: Judge, line: str, he
 def test_a_condition_that_asks_for_a_value(judge: Judge, line: str):
     """Values, properties, what a derived class sets to None, and what is called as soon as it is there."""
     judge("API001", TESTS.format(line=line))
+
+
+LOOK_UP = """
+import rclpy
+from rclpy.node import Node
+from rclpy.time import Time
+from tf2_ros import Buffer, TransformListener
+
+
+class Looker(Node):
+    def __init__(self):
+        super().__init__('looker')
+        self.buffer = Buffer()
+        self.listener = TransformListener(self.buffer, self)
+        self.timer = self.create_timer(1.0, self.tick)
+
+    def {method}(self, to, of):
+        return None
+
+    def tick(self):
+        {line}
+            self.get_logger().info('waiting')
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Looker())
+
+
+main()
+"""
+
+
+@pytest.mark.parametrize("word", ["while not", "if"])
+def test_a_look_up_that_never_gives_nothing(judge: Judge, word: str):
+    line = f"{word} self.buffer.lookup_transform('map', 'base', Time()):  # here"
+    (finding,) = judge("API001", LOOK_UP.format(method="other", line=line))
+    assert finding.message == (
+        "lookup_transform() gives a transform or raises a TransformException: this condition asks in vain"
+    )
+
+
+@pytest.mark.parametrize(
+    ("method", "line"),
+    [
+        ("other", "if self.buffer.can_transform('map', 'base', Time()):"),
+        ("lookup_transform", "while not self.lookup_transform('map', 'base'):"),
+        ("lookup_transform", "while not self.buffer.lookup_transform('map', 'base', Time()):"),
+    ],
+)
+def test_a_look_up_that_may_give_nothing(judge: Judge, method: str, line: str):
+    """A method of the workspace's own by that name may return anything, and be anyone's."""
+    judge("API001", LOOK_UP.format(method=method, line=line))

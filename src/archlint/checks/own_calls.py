@@ -106,6 +106,15 @@ def _compared(test: ComparedMethod) -> Finding:
 
 def _tested(test: TestedMethod) -> Finding:
     name = test.written.rpartition(".")[2]
+    if test.called:
+        return finding(
+            "API001",
+            test.place,
+            f"{name}() gives a transform or raises a TransformException: this condition asks in vain",
+            help="ask can_transform(…), or catch TransformException",
+            identity=(COMPARED, test.written),
+            group=(test.place.file, COMPARED, name),
+        )
     return finding(
         "API001",
         test.place,

@@ -11,6 +11,7 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.array_truths import ArrayTruth, array_truths
+from archlint.python_code.hidden_messages import HiddenMessage, hidden_messages
 from archlint.python_code.misused_kinds import Misuse, MisusedKind, misused_kinds
 from archlint.python_code.parameter_values import WrongParameter, wrong_parameters
 from archlint.python_code.plain_kinds import Kind
@@ -45,6 +46,8 @@ def used_value_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _text(sum_))
         for parameter in wrong_parameters(system.workspace):
             yield from unless_uncalled(system, _parameter(parameter))
+        for hidden in hidden_messages(system.workspace):
+            yield from unless_uncalled(system, _hidden(hidden))
         for truth in array_truths(system.workspace):
             yield from unless_uncalled(system, _truth(truth))
         for misused in misused_kinds(system.workspace):
@@ -102,6 +105,18 @@ def _parameter(row: WrongParameter) -> Finding:
         help=f"give a value of the type {row.type}, or the type of the value",
         identity=("Parameter", row.type),
         group=(row.place.file, "Parameter", row.type),
+    )
+
+
+def _hidden(row: HiddenMessage) -> Finding:
+    return finding(
+        "API001",
+        row.place,
+        f"{row.call}() fails: '{row.parameter}' gets {row.name} of {row.module}, which hides that of {row.interface}",
+        help=f"import one of the two under another name: from {row.interface} import {row.name} as {row.name}Message",
+        related=[Related(row.hiding, "this import hides the other"), Related(row.hidden, "this one is hidden")],
+        identity=(row.name, row.module),
+        group=(row.place.file, "hidden", row.name),
     )
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.python_code.annotations import imported_as
-from archlint.python_code.class_chains import ClassInFile, classes_of, methods_of, targets_of
+from archlint.python_code.class_chains import ClassInFile, classes_of, files_with, methods_of, targets_of
 from archlint.python_code.own_calls import method_meant
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
@@ -27,6 +27,8 @@ _FUNCTIONS = frozenset({"rclpy.ok"})
 _OF_CLIENTS = frozenset({"service_is_ready", "server_is_ready", "wait_for_server", "wait_for_service"})
 """Methods that no other class has by that name, and that no class has as a value."""
 _OF_FUTURES = frozenset({"cancelled", "done"})
+_NEVER_FALSE = frozenset({"lookup_transform", "lookup_transform_full"})
+"""Methods of a buffer of tf2 that give a transform or raise an error."""
 _GIVE_FUTURES = frozenset({"call_async", "get_result_async", "send_goal_async"})
 
 
@@ -38,6 +40,8 @@ class TestedMethod:
     place: Place
     takes_arguments: bool
     """Whether it cannot be called without any."""
+    called: bool = False
+    """Whether it is called, and what it gives is always true."""
 
 
 @dataclass(frozen=True)
@@ -46,6 +50,7 @@ class _Row:
     span: facts.Span
     cls: int | None = None
     """For a method of ``self``: its class, by its position in the file."""
+    called: bool = False
 
 
 def tested_methods(workspace: WorkspaceIndex) -> Iterator[TestedMethod]:
@@ -53,6 +58,8 @@ def tested_methods(workspace: WorkspaceIndex) -> Iterator[TestedMethod]:
     for path in workspace.python_files(mentioning="rclpy"):
         for row in _rows(workspace, path) or ():
             needed = False
+            if row.called and _has_own(workspace, row.written.rpartition(".")[2]):
+                continue
             if row.cls is not None:
                 code = workspace.facts_at(path)
                 cls = None if code is None else ClassInFile(path, classes_of(code)[row.cls])
@@ -60,7 +67,16 @@ def tested_methods(workspace: WorkspaceIndex) -> Iterator[TestedMethod]:
                 if meant is None:
                     continue
                 needed = any(param.default is None for param in meant.code.params[meant.bound :])
-            yield TestedMethod(row.written, Place(path, *row.span), needed)
+            yield TestedMethod(row.written, Place(path, *row.span), needed, row.called)
+
+
+def _has_own(workspace: WorkspaceIndex, name: str) -> bool:
+    """Whether the workspace defines a function or a method of that name, which may return anything."""
+    read = (workspace.facts_at(path) for path in files_with(workspace, name))
+    return any(
+        code is None or any(function.name == name for function in everything_in(code.body, facts.Function))
+        for code in read
+    )
 
 
 @kept_for_each_file
@@ -73,6 +89,8 @@ def _rows(code: facts.Facts) -> list[_Row]:
     for part in everything_in(code.body):
         for test in _tested(part):
             match test:
+                case facts.Call(func=facts.Attribute(attr=name) as looked_up) if name in _NEVER_FALSE:
+                    rows.append(_Row(looked_up.dotted or name, test.span, called=True))
                 case facts.Attribute(value=owner, attr=name) if test.dotted:
                     of_future = name in _OF_FUTURES and Itself[facts.Base](test) in futures
                     if imported_as(code, test.dotted) in _FUNCTIONS or name in _OF_CLIENTS or of_future:
