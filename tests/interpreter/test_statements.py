@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from archlint.interpreter.limits import UNROLL
+from archlint.interpreter.limits import FLAG_ROUNDS, UNROLL
 from interpreting import OUTSIDE, assert_like_python, in_python, interpret
 
 
@@ -339,6 +339,48 @@ def test_after_more_rounds_than_are_followed_what_was_counted_is_not_known():
     assert interpreted.constant("after") == "reached"
     rounds = f"number = 0\nwhile number < {UNROLL - 1}:\n    number += 1"
     assert interpret(rounds).constant("number") == UNROLL - 1
+
+
+def test_a_loop_over_all_pixels_leaves_something_for_what_follows_it():
+    found = interpret(
+        f"""
+        total = 0
+        for row in range({UNROLL}):
+            for column in range({UNROLL}):
+                total += row * column
+        after = 'reached'
+        """
+    )
+    assert found.constant("after") == "reached"
+    assert not found.is_known("total")
+
+
+def test_a_loop_until_somebody_else_clears_a_flag_is_followed_for_a_few_rounds():
+    source = """
+        class Talker:
+            def __init__(self):
+                self.running, self.paused = True, False
+            def talk(self):
+                sent = 0
+                while self.running and not self.paused:
+                    sent += 1
+                return sent
+        sent = Talker().talk()
+        """
+    found = interpret(source)
+    assert not found.is_known("sent")
+    assert found.run.steps < 2 * FLAG_ROUNDS
+
+
+def test_a_flag_that_the_loop_itself_clears_ends_it():
+    source = f"""
+        names = []
+        running = True
+        while running:
+            names.append('a')
+            running = len(names) < {FLAG_ROUNDS}
+        """
+    assert interpret(source).constant("names") == ["a"] * FLAG_ROUNDS
 
 
 def test_a_break_that_may_have_left_a_loop():

@@ -30,8 +30,13 @@ WORK_OF_A_STEP = 500
 """How many slots and items that branches leave may be joined for the price of a statement."""
 UNROLL = 512
 """How many items of a known collection a loop is unrolled over."""
+FLAG_ROUNDS = 16
+"""How many rounds of ``while self.running:`` are followed that leave the flag as it is: others end such a loop."""
 RETURNS = 128
 """From how many rounds a function may return, with a condition that is not known, before one more round stands for the
 rest of its loops: each return keeps all that was written before it."""
+SHARE_OF_A_LOOP = 3 / 4
+"""Of the statements that may still run, what one loop may have of them before one more round stands for the rest of
+it: loops over the pixels of a picture are long, and what follows them is to be followed, too."""
 COMPREHENDED = 8_000
 """How many items all comprehensions of a program go through one by one: tables of numbers are no names."""

@@ -7,10 +7,10 @@ from archlint.interpreter.assignment import assign
 from archlint.interpreter.augmented import forget_counters
 from archlint.interpreter.conditions import evaluate_test
 from archlint.interpreter.heap import Layer
-from archlint.interpreter.limits import RETURNS, UNROLL
+from archlint.interpreter.limits import FLAG_ROUNDS, RETURNS, SHARE_OF_A_LOOP, UNROLL
 from archlint.interpreter.machine import Machine, Status
 from archlint.interpreter.narrowing import narrow
-from archlint.interpreter.values import Items, Unknown, Value, reason
+from archlint.interpreter.values import Items, Known, Unknown, Value, reason
 from archlint.reasons import NOT_A_CONSTANT
 from archlint.syntax import facts
 
@@ -25,8 +25,9 @@ def for_each(machine: Machine, s: facts.For) -> Status:
         items = iterable.items(machine)
         if items is None or items.open or len(items.values) > UNROLL:
             return _loop_of_unknown(machine, s, iterable, items)
+        last_step = _last_step(machine)
         for item in items.values:
-            if len(activation.returns) > RETURNS:
+            if len(activation.returns) > RETURNS or machine.steps > last_step:
                 return _loop_of_unknown(machine, s, iterable, None)
             assign(machine, s.target, item)
             status = machine.execute(s.body)
@@ -68,10 +69,15 @@ def while_it_holds(machine: Machine, s: facts.While) -> Status:
     activation = machine.activation
     activation.loops.append(s)
     try:
-        for _ in range(UNROLL):
-            _, truth = evaluate_test(machine, s.test)
+        last_step, most = _last_step(machine), UNROLL
+        for number in range(UNROLL):
+            value, truth = evaluate_test(machine, s.test)
             if truth is False:
                 break
+            if number == 0 and isinstance(value, Known) and isinstance(value.value, bool) and _is_flag(s.test):
+                most = FLAG_ROUNDS
+            if number == most or machine.steps > last_step:
+                return _loop_of_many(machine, s)
             constant = isinstance(s.test, facts.Literal)
             if truth is None or constant:
                 return _loop_once(machine, s, certain=constant)
@@ -80,12 +86,36 @@ def while_it_holds(machine: Machine, s: facts.While) -> Status:
                 return None
             if status in ("return", "raise"):
                 return status
-        else:  # more rounds than are followed: one more stands for them
-            forget_counters(machine, s.body)
-            return _loop_once(machine, s, certain=False)
+        else:
+            return _loop_of_many(machine, s)
     finally:
         activation.loops.pop()
     return _otherwise(machine, s)
+
+
+def _last_step(machine: Machine) -> float:
+    """The last statement that a loop may begin a round at.  A program that came late is known to be cut short."""
+    if machine.late:
+        return machine.allowed_steps
+    return machine.steps + SHARE_OF_A_LOOP * (machine.allowed_steps - machine.steps)
+
+
+def _is_flag(test: facts.Expr) -> bool:
+    """Whether a test asks only what variables hold, and neither compares nor calls anything."""
+    match test:
+        case facts.Unary(op="not", operand=operand):
+            return _is_flag(operand)
+        case facts.Boolean(values=values):
+            return all(map(_is_flag, values))
+        case facts.Attribute(value=value):
+            return _is_flag(value)
+    return isinstance(test, (facts.Name, facts.Implicit))
+
+
+def _loop_of_many(machine: Machine, s: facts.While) -> Status:
+    """More rounds than are followed: one more stands for them."""
+    forget_counters(machine, s.body)
+    return _loop_once(machine, s, certain=False)
 
 
 def _loop_once(machine: Machine, s: facts.While, certain: bool) -> Status:
