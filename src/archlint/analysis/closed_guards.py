@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import kept_for_each_file
 from archlint.analysis.opened_guards import asked_before
 from archlint.analysis.own_names import BY_NAME
 from archlint.analysis.source_code import code_of
@@ -13,7 +14,7 @@ from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_facts import outcome
-from archlint.syntax.parts import everything_in, once_for
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -31,8 +32,7 @@ def is_switched_off(workspace: WorkspaceIndex | None, place: Place) -> bool:
         return False
     if _is_decided_against(workspace, place):
         return True
-    file_facts = workspace.facts_at(place.file)
-    flags = frozenset() if file_facts is None else _false_flags(file_facts)
+    flags = _false_flags(workspace, place.file)
     if not flags:
         return False
     asked = {name.removeprefix("self.") for name in asked_before(code_of(workspace).body_at(place), place)}
@@ -42,8 +42,7 @@ def is_switched_off(workspace: WorkspaceIndex | None, place: Place) -> bool:
 
 def _is_decided_against(workspace: WorkspaceIndex, place: Place) -> bool:
     """Whether a test on the way to a place has the other outcome, by the constants of the module."""
-    file_facts = workspace.facts_at(place.file)
-    constants = {} if file_facts is None else _constants(file_facts)
+    constants = _constants(workspace, place.file)
     if not constants:
         return False
     graph = graph_of(code_of(workspace).body_at(place))
@@ -54,7 +53,7 @@ def _is_decided_against(workspace: WorkspaceIndex, place: Place) -> bool:
     return False
 
 
-@once_for
+@kept_for_each_file
 def _constants(file_facts: facts.Facts) -> dict[str, bool]:
     """The variables of a module that one statement of it binds, to ``True`` or ``False``."""
     if any(name.id in _BY_TEXT for name in everything_in(file_facts.body, facts.Name)):
@@ -82,7 +81,7 @@ def _is_reached_into(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     return False
 
 
-@once_for
+@kept_for_each_file
 def _false_flags(file_facts: facts.Facts) -> frozenset[str]:
     """The attributes of ``self`` that a file assigns ``False`` and nothing else."""
     if any(name.id in _BY_NAME for name in everything_in(file_facts.body, facts.Name)):

@@ -7,12 +7,12 @@ import operator
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once
+from archlint.analysis.kept import kept_for_each_file, once
 from archlint.analysis.source_code import code_of
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_facts import covers, outcome
-from archlint.syntax.parts import everything_in, once_for
+from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name
 
 if TYPE_CHECKING:
@@ -132,15 +132,16 @@ def _calls(workspace: WorkspaceIndex, path: str, name: str) -> Iterator[facts.Ca
 def _words(workspace: WorkspaceIndex) -> tuple[frozenset[str], frozenset[str], frozenset[str]]:
     """All keywords of calls in the workspace, the keys of dicts, which ``**`` makes keywords, and the classes that
     others derive from."""
-    rows = [_words_of(code) for _, code in workspace.code.asked_for()]
+    rows = [row for file, _ in workspace.code.asked_for() if (row := _words_of(workspace, file.relative)) is not None]
     keywords, keys, bases = (frozenset[str]().union(*(row[at] for row in rows)) for at in range(3))
     return keywords, keys, bases
 
 
-@once_for
+@kept_for_each_file
 def _words_of(code: facts.Facts) -> tuple[frozenset[str], frozenset[str], frozenset[str]]:
     keywords = {given.keyword for call in everything_in(code.body, facts.Call) for given in call.args if given.keyword}
-    texts = {text.value for text in everything_in(code.body, facts.Literal) if isinstance(text.value, str)}
+    literals = (literal.text for literal in everything_in(code.body, facts.Literal))
+    texts = {text for text in literals if text is not None and text.isidentifier()}
     bases = {base.value.last_name for cls in everything_in(code.body, facts.Class) for base in cls.bases}
     return frozenset(keywords), frozenset(texts), frozenset(bases)
 

@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_each_file
 from archlint.launch.files import GENERATE
 from archlint.launch_files.launch_code import names_from_launch
 from archlint.launch_files.opaque_functions import wrong_functions
@@ -78,7 +78,7 @@ def _is_mentioned(workspace: WorkspaceIndex, path: str, name: str) -> bool:
     return any(own in (workspace.tree.text(other) or "") for other in others)
 
 
-@once_for_each_file
+@kept_for_each_file
 def _misnamed(file_facts: facts.Facts) -> WrongDescription | None:
     code = _Code(file_facts.body)
     if any(GENERATE in _words(part) for part in everything_in(file_facts.body)):
@@ -160,7 +160,7 @@ _ADDED = _STARTS | _SETS | {_DECLARATION}
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
 
 
-@once_for_each_file
+@kept_for_each_file
 def _of_file(file_facts: facts.Facts) -> list[WrongDescription]:
     code = _Code(file_facts.body)
     return sorted(code.wrong(), key=lambda wrong: wrong.span) if code.classes else []

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once, once_for_each_file
+from archlint.analysis.kept import kept_for_each_file, once
 from archlint.finding import Place
 from archlint.launch.parameter_sources import files_among
 from archlint.syntax import facts
@@ -101,7 +101,7 @@ _DESCRIBES = frozenset({"description", "msg", "doc", "help"})
 _ASKS = frozenset({"exists", "isfile", "isdir", "is_file", "is_dir", "print", "LogInfo"})
 
 
-@once_for_each_file
+@kept_for_each_file
 def _of_code(file_facts: facts.Facts) -> list[_Text]:
     """The texts of a launch file in Python, but for docstrings, descriptions, and paths that it only asks for."""
     aside: set[int] = set()

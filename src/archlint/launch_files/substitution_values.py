@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_each_file
 from archlint.launch.tables import SUBSTITUTIONS, LaunchClass
 from archlint.launch_files.launch_code import names_from_launch
 from archlint.string_enum import StringEnum
@@ -78,7 +78,7 @@ def is_chosen_in_vain(workspace: WorkspaceIndex, place: Place) -> bool:
 _TESTS = (Misuse.TESTED, Misuse.COMBINED, Misuse.COMPARED, Misuse.TEXT_TESTED)
 
 
-@once_for_each_file
+@kept_for_each_file
 def _of_file(file_facts: facts.Facts) -> list[Misused]:
     code = _Code(file_facts)
     places = {misused.span: misused for misused in _misused(code)} if code.classes else {}

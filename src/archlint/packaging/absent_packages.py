@@ -228,7 +228,8 @@ def is_a_key_of_some_file(workspace: WorkspaceIndex, name: str) -> bool:
     """Whether a YAML file of the workspace has a name for a key: it may be one with rules of the team for rosdep."""
     rule = re.compile(rf"^['\"]?{re.escape(name)}['\"]?[ \t]*:", re.MULTILINE)
     paths = (path for path in workspace.tree.files_below(workspace.tree.top) if path.endswith((".yaml", ".yml")))
-    return any(rule.search(workspace.tree.text(path) or "") for path in paths)
+    texts = (workspace.tree.text(path) or "" for path in paths)
+    return any(name in text and rule.search(text) for text in texts)
 
 
 _WITH_RULES = re.compile(r"[^/]*(?:\.ya?ml|\.sh|\.bash|[Dd]ockerfile[^/]*)")
@@ -242,7 +243,8 @@ def has_a_rule_for_rosdep(workspace: WorkspaceIndex, name: str) -> bool:
     )
     paths = workspace.tree.files_below(workspace.tree.top)
     named = (path for path in paths if _WITH_RULES.fullmatch(posixpath.basename(path)))
-    return any(rule.search(workspace.tree.text(path) or "") for path in named)
+    texts = (workspace.tree.text(path) or "" for path in named)
+    return any(name in text and rule.search(text) for text in texts)
 
 
 def owners_of_component(workspace: WorkspaceIndex, plugin: str) -> list[str]:

@@ -89,25 +89,28 @@ def _of_workspace(workspace: WorkspaceIndex) -> frozenset[str]:
 
 
 def _one_letter_off(name: str) -> Iterator[str]:
-    """The known modules of which a letter is wrong, missing or too much in a name, or has changed places with the next:
-    two such names have one in common that has a letter less, or one is that of the other."""
-    known = _by_shortened()
-    for shorter in {name, *_shortened(name)}:
-        yield from (other for other in known.get(shorter, ()) if distance(name, other, 1) == 1)
+    """The known modules of which a letter is wrong, missing or too much in a name, or has changed places with the
+    next."""
+    half = (len(name) - _CHANGED) // 2
+    start, end = name[:half], name[-half:]
+    for length in (len(name) - 1, len(name), len(name) + 1):
+        for other in _by_length().get(length, ()):
+            if (other.startswith(start) or other.endswith(end)) and distance(name, other, 1) == 1:
+                yield other
+
+
+_CHANGED = 2
+"""How many letters are not as they were, at most, and next to each other: half of the others are before or behind."""
 
 
 @cache
-def _by_shortened() -> dict[str, list[str]]:
-    """The known modules by themselves and by what they are with a letter less."""
-    by_shorter: dict[str, list[str]] = {}
+def _by_length() -> dict[int, list[str]]:
+    """The known modules by how many letters they have."""
+    by_length: dict[int, list[str]] = {}
     for module in sys.stdlib_module_names | python_modules.names() | packages.table().names:
-        for shorter in {module, *_shortened(module)} if len(module) >= _SHORTEST else ():
-            by_shorter.setdefault(shorter, []).append(module)
-    return by_shorter
-
-
-def _shortened(name: str) -> set[str]:
-    return {name[:at] + name[at + 1 :] for at in range(len(name))}
+        if len(module) >= _SHORTEST:
+            by_length.setdefault(len(module), []).append(module)
+    return by_length
 
 
 __all__ = ["interfaces_of", "kind_left_out", "near_module"]

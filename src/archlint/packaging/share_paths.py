@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from archlint.analysis.kept import kept_for_each_file
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, once_for
 from archlint.syntax.walk import called_name
@@ -40,8 +41,14 @@ class Named(NamedTuple):
     span: facts.Span
 
 
-@once_for
+@kept_for_each_file
 def paths_in_share(file_facts: facts.Facts) -> list[Named]:
+    """The paths that a file of Python writes in full; none where it asks whether some file is there."""
+    return paths_in_code(file_facts)
+
+
+@once_for
+def paths_in_code(file_facts: facts.Facts) -> list[Named]:
     """The paths that a file writes in full; none where it asks whether some file is there."""
     if any(called_name(call) in ASKS for call in everything_in(file_facts.body, facts.Call)):
         return []
@@ -167,4 +174,4 @@ def _is_like(value: facts.Expr, other: facts.Expr) -> bool:
     return False
 
 
-__all__ = ["ASKS", "SHARE", "Named", "only_given", "paths_in_share"]
+__all__ = ["ASKS", "SHARE", "Named", "only_given", "paths_in_code", "paths_in_share"]

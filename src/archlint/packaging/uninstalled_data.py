@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
-from archlint.packaging.share_paths import SHARE, paths_in_share
+from archlint.packaging.share_paths import SHARE, paths_in_code, paths_in_share
 from archlint.packaging.uninstalled_files import files_told_already, mended_at, understood
 from archlint.place import Place
 from archlint.python_code.class_chains import files_with
@@ -35,8 +35,9 @@ class DataLeftOut:
 def data_left_out(workspace: WorkspaceIndex) -> Iterator[DataLeftOut]:
     """Each such file that is in the source, of a package whose build is understood, with each place that names it."""
     for path in _asking(workspace):
-        code = workspace.facts_at(path) or workspace.code.cpp_facts_at(path)
-        for package, file, span in paths_in_share(code) if code is not None else ():
+        code = workspace.code.cpp_facts_at(path)
+        paths = paths_in_share(workspace, path) if code is None else paths_in_code(code)
+        for package, file, span in paths or ():
             installs = understood(workspace).get(package)
             place = None if installs is None else mended_at(workspace, installs)
             if installs is None or place is None or installs.may_install(file):

@@ -7,9 +7,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once
 from archlint.place import Place
-from archlint.python_code.class_chains import classes_of, methods_of
+from archlint.python_code.class_chains import ClassInFile, classes_of, kept_for_each_class, methods_of
 from archlint.python_code.field_operations import (
     FieldOperation,
     asked_for_their_class,
@@ -68,9 +67,10 @@ def _of_class(file: str, cls: facts.Class, attributes: dict[str, _Field]) -> Ite
 
 def _kept(system: System, file: str, cls: facts.Class) -> dict[str, _Field]:
     """The attributes that hold a field of a message, or a plain value before."""
-    if not any(cls.span[0] <= line <= cls.span[2] for line in _lines_of_reads(system).get(file, ())):
+    uses, workspace = fields_read(system), system.workspace
+    spans = () if workspace is None else _attributes_kept(workspace, ClassInFile(file, cls))
+    if not any((file, *span) in uses for span in spans):
         return {}
-    uses = fields_read(system)
     attributes: dict[str, _Field] = {}
     for name, values in values_of_self(cls).items():
         known = [value for value in values if value is not None]
@@ -83,13 +83,11 @@ def _kept(system: System, file: str, cls: facts.Class) -> dict[str, _Field]:
     return attributes
 
 
-@once
-def _lines_of_reads(system: System) -> dict[str, set[int]]:
-    """The lines that read fields, by their files."""
-    lines: dict[str, set[int]] = {}
-    for file, line, *_ in fields_read(system):
-        lines.setdefault(file, set()).add(line)
-    return lines
+@kept_for_each_class
+def _attributes_kept(cls: facts.Class) -> list[facts.Span]:
+    """Where what stands that a class keeps in attributes, if it is an attribute of something itself."""
+    every = (value for values in values_of_self(cls).values() for value in values)
+    return [value.span for value in every if isinstance(value, facts.Attribute)]
 
 
 __all__ = ["kept_field_operations"]

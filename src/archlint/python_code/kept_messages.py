@@ -75,8 +75,8 @@ def _of_class(
 
 def is_given(workspace: WorkspaceIndex, name: str) -> bool:
     """Whether any code gives an object that is not ``self`` an attribute of a name."""
-    files = (workspace.facts_at(path) for path in files_with(workspace, name))
-    return any(code is None or name in given_to_others(code) for code in files)
+    given = (given_to_others(workspace, path) for path in files_with(workspace, name))
+    return any(names is None or name in names for names in given)
 
 
 def _kept(cls: facts.Class, rows: list[Delivered]) -> dict[str, _Kept]:

@@ -106,10 +106,10 @@ def _type_of(callback: Callback) -> str | None:
 
 def _is_only_a_callback(workspace: WorkspaceIndex, file: str, function: facts.Function) -> bool:
     """Whether no code of its file calls a function, and it is one of Python."""
-    code = workspace.facts_at(file)
-    if code is None or workspace.code.kind_of(file) != "python":
+    called = called_in(workspace, file)
+    if called is None or workspace.code.kind_of(file) != "python":
         return False
-    return function.name not in called_in(code)
+    return function.name not in called
 
 
 @once_for

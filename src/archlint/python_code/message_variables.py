@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 
+from archlint.analysis.kept import kept_for_each_file
 from archlint.libraries.rclpy.names import interface_and_section
 from archlint.python_code.class_chains import targets_of
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
 
 
-@once_for
+@kept_for_each_file
 def given_to_others(file_facts: facts.Facts) -> frozenset[str]:
     """The attributes that a file assigns to an object that is not ``self``, and no message."""
     of_messages = _fields_given(file_facts)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import kept_for_each_file
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
 from archlint.syntax.parts import everything_in, once_for, parts_of
@@ -37,7 +38,7 @@ def starred(workspace: WorkspaceIndex, file: str, code: facts.Facts, depth: int 
     """What the star imports of a file bring; None where that is not known."""
     names: set[str] = set()
     classes = False
-    for statement in stars(code):
+    for statement in stars(code) if _has_stars(workspace, file) else ():
         imported = workspace.code.imported(file, statement.module, statement.level)
         path = workspace.code.path_of_import(file, statement.module, statement.level)
         if imported is None or path is None:
@@ -48,7 +49,7 @@ def starred(workspace: WorkspaceIndex, file: str, code: facts.Facts, depth: int 
         further = starred(workspace, path, imported, depth - 1) if depth > 0 else None
         if further is None:
             return None
-        names |= further.names | own_names(imported)
+        names |= further.names | (_own_names(workspace, path) or frozenset())
         classes |= further.classes
     return Starred(frozenset(names), classes)
 
@@ -56,10 +57,11 @@ def starred(workspace: WorkspaceIndex, file: str, code: facts.Facts, depth: int 
 def offers(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     """Whether a file may have a name at its top level; true where that cannot be told."""
     code = workspace.facts_at(file)
-    if code is None or not MAKES_NAMES.isdisjoint(code.names) or "__getattr__" in own_names(code):
+    own = _own_names(workspace, file)
+    if code is None or own is None or not MAKES_NAMES.isdisjoint(code.names) or "__getattr__" in own:
         return True
     brought = starred(workspace, file, code)
-    return brought is None or brought.has(name) or name in own_names(code)
+    return brought is None or brought.has(name) or name in own
 
 
 @once_for
@@ -74,6 +76,16 @@ def own_names(code: facts.Facts) -> frozenset[str]:
     """What a file binds at its top level, but for star imports; rather too much than too little."""
     declared = (name for part in everything_in(code.body, facts.Global) for name in part.names)
     return frozenset((*declared, *bound_in(code.body), *(code.exports or ())))
+
+
+@kept_for_each_file
+def _has_stars(code: facts.Facts) -> bool:
+    return bool(stars(code))
+
+
+@kept_for_each_file
+def _own_names(code: facts.Facts) -> frozenset[str]:
+    return own_names(code)
 
 
 def bound_in(body: Sequence[facts.Base]) -> Iterator[str]:

@@ -275,7 +275,7 @@ def _definition(
 ) -> tuple[str, facts.Function | facts.Class] | None:
     """What defines a name that a file binds once, and the file that this is in."""
     code = workspace.facts_at(file)
-    if code is None or depth <= 0 or stars(code) or (_bindings(workspace, file) or {}).get(name) != 1:
+    if code is None or depth <= 0 or (_bindings(workspace, file) or {}).get(name) != 1:
         return None
     for statement in code.body:
         match statement:
@@ -304,7 +304,8 @@ def bindings_of(code: facts.Facts) -> Counter[str]:
 
 @kept_for_each_file
 def _bindings(code: facts.Facts) -> dict[str, int]:
-    return dict(bindings_of(code))
+    """The same; nothing for a file in which a star may bind any of them."""
+    return {} if stars(code) else dict(bindings_of(code))
 
 
 def _constructor(workspace: WorkspaceIndex, cls: ClassInFile) -> FunctionInFile | None:

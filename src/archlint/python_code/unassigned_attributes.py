@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import kept_for_each_file
 from archlint.libraries.api_signatures import attributes_of
 from archlint.libraries.rclpy.names import NODE_CLASSES
 from archlint.place import Place
@@ -314,11 +315,11 @@ def attributes_of_self(body: Sequence[facts.Base]) -> Iterator[facts.Attribute]:
 
 def _is_made(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
     """Whether code of the workspace calls a class by its name: it is no base for others alone."""
-    files = (workspace.facts_at(file) for file in files_with(workspace, cls.code.name))
-    return any(file_facts is not None and cls.code.name in called_in(file_facts) for file_facts in files)
+    files = files_with(workspace, cls.code.name)
+    return any(cls.code.name in (called_in(workspace, file) or ()) for file in files)
 
 
-@once_for
+@kept_for_each_file
 def called_in(file_facts: facts.Facts) -> frozenset[str]:
     """The last names of all that a file calls."""
     return frozenset(called_name(call) for call in everything_in(file_facts.body, facts.Call))
@@ -337,24 +338,25 @@ def may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
 
 def may_be_set(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
     """Whether code of the workspace that may have an object of a class gives it an attribute from outside."""
-    file_facts = workspace.facts_at(cls.file)
-    if file_facts is None or cls.code.name in _variables_of(file_facts):
+    variables = _variables_of(workspace, cls.file)
+    if variables is None or cls.code.name in variables:
         return True  # another class under its name
     given = may_be_given(workspace, cls, name)
     if given is not None:
         return given
     texts = any(workspace.code.files_that_mention(word) for word in _BY_TEXT)
     files = (cls.file, *files_with(workspace, name))
-    return any(_gives(workspace.facts_at(file), name, texts) for file in files)
+    return any(_gives(workspace, file, name, texts) for file in files)
 
 
-def _gives(file_facts: facts.Facts | None, name: str, texts: bool) -> bool:
-    if file_facts is None or name in given_to_others(file_facts) | asked_in(file_facts):
+def _gives(workspace: WorkspaceIndex, file: str, name: str, texts: bool) -> bool:
+    file_facts, given = workspace.facts_at(file), given_to_others(workspace, file)
+    if file_facts is None or given is None or name in given | asked_in(file_facts):
         return True
     return texts and name in _texts_of(file_facts)
 
 
-@once_for
+@kept_for_each_file
 def _variables_of(file_facts: facts.Facts) -> frozenset[str]:
     """The variables that a file assigns anywhere."""
     return frozenset(name for target in targets_of(file_facts.body) if (name := target.variable) is not None)

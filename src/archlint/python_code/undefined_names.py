@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file, once
@@ -69,7 +69,8 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
     for file, file_facts in (*workspace.code.judged(), *_setup_files(workspace)):
         if file.kind not in _KINDS or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
             continue
-        unbound = _unbound(workspace, file.relative) or []
+        known_at = _unbound(workspace, file.relative) or _Unbound()
+        unbound = known_at.reads
         if file.kind == "launch_python" and file.relative not in _programs_called_like_launch_files(workspace):
             if file_facts.problems:
                 continue  # Python refuses all of it
@@ -84,7 +85,7 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         names = {r.name for r in unbound if is_left_blank(workspace, file.relative, r.name, r.span[0])}
         for read in (read for read in unbound if read.name not in names):
             if (read.added or not brought.has(read.name)) and not _is_blank(read.name):
-                known = _known_at(file_facts)[read]
+                known = known_at.names_at(read)
                 known = known | brought.names if brought.names else known  # a copy for each read is a square
                 place, span = Place(file.relative, *read.span), read.span
                 of_self = read.of_self and span not in _first_values(file_facts)
@@ -218,16 +219,26 @@ class _Scope:
         return _Read(name.id, name.span, of_self, added, without_self), self.names
 
 
+@dataclass(frozen=True)
+class _Unbound:
+    """The reads of a file that no scope binds.  ``names`` are those that can be read there, ``known`` says for each
+    read which of these: many share them."""
+
+    reads: list[_Read] = field(default_factory=list)
+    names: list[frozenset[str]] = field(default_factory=list)
+    known: list[int] = field(default_factory=list)
+
+    def names_at(self, read: _Read) -> frozenset[str]:
+        return self.names[self.known[self.reads.index(read)]]
+
+
 @kept_for_each_file
-def _unbound(code: facts.Facts) -> list[_Read]:
+def _unbound(code: facts.Facts) -> _Unbound:
     """The first read of each such name in each function of a file."""
-    return [read for read, _ in _unbound_with_names(code)]
-
-
-@once_for
-def _known_at(code: facts.Facts) -> dict[_Read, frozenset[str]]:
-    """The names that the code can read which has such a read."""
-    return dict(_unbound_with_names(code))
+    rows = _unbound_with_names(code)
+    names = list(dict.fromkeys(names for _, names in rows))
+    numbers = {known: number for number, known in enumerate(names)}
+    return _Unbound([read for read, _ in rows], names, [numbers[known] for _, known in rows])
 
 
 def _unbound_with_names(code: facts.Facts) -> list[_Known]:
