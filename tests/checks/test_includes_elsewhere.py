@@ -37,20 +37,21 @@ def _told(findings, code: str, *actions: str, **files: str):
     [
         (
             "include('slam_toolbox', 'online_async_launch.py', slam_param_file='a.yaml')",
-            "online_async_launch.py of slam_toolbox takes no launch argument 'slam_param_file'; did you mean "
-            "'slam_params_file'?: the value has no effect",
-            "write 'slam_params_file'",
+            "online_async_launch.py of slam_toolbox takes no launch argument 'slam_param_file' since Humble; did you "
+            "mean 'slam_params_file'?",
+            "write 'slam_params_file': the value has no effect",
         ),
         (
             "include('slam_toolbox', 'online_async_launch.py', params_file='a.yaml')",
-            "online_async_launch.py of slam_toolbox takes no launch argument 'params_file': the value has no effect",
-            "remove it; ros2 launch slam_toolbox online_async_launch.py --show-args lists those that it takes",
+            "online_async_launch.py of slam_toolbox takes no launch argument 'params_file' since Humble",
+            "the value has no effect: remove it; ros2 launch slam_toolbox online_async_launch.py --show-args lists "
+            "those that it takes",
         ),
         (
             "include('gazebo_ros', 'gzserver.launch.py', world='a.world', headless='true', x_pose='1.0')",
-            "gzserver.launch.py of gazebo_ros takes none of the launch arguments 'headless', 'x_pose': the value has "
-            "no effect",
-            "remove it; ros2 launch gazebo_ros gzserver.launch.py --show-args lists those that it takes",
+            "gzserver.launch.py of gazebo_ros takes none of these launch arguments since Humble: 'headless', 'x_pose'",
+            "the value has no effect: remove it; ros2 launch gazebo_ros gzserver.launch.py --show-args lists those "
+            "that it takes",
         ),
     ],
 )

@@ -29,16 +29,18 @@ def _unknown(row: UnknownToInclude) -> Finding:
     """What a well-known launch file from elsewhere does not take, in any distribution since humble."""
     (first, place), *others = row.given
     names = [name for name, _ in row.given]
-    said = f"takes no launch argument '{first}'" + did_you_mean(first, row.taken)
+    said = f"takes no launch argument '{first}' since Humble" + did_you_mean(first, row.taken)
     if others:
-        said = "takes none of the launch arguments " + ", ".join(f"'{name}'" for name in names)
+        said = "takes none of these launch arguments since Humble: " + ", ".join(f"'{name}'" for name in names)
     near = nearest(first, row.taken)
-    see = f"remove it; ros2 launch {row.package} {row.file} --show-args lists those that it takes"
+    see = f"ros2 launch {row.package} {row.file} --show-args lists those that it takes"
     diagnostic = finding(
         "LCH003",
         place,
-        f"{row.file} of {row.package} {said}: the value has no effect",
-        help=f"write '{near}'" if near and not others else see,
+        f"{row.file} of {row.package} {said}",
+        help=f"write '{near}': the value has no effect"
+        if near and not others
+        else f"the value has no effect: remove it; {see}",
         related=[Related(at, f"'{name}' is set here" + did_you_mean(name, row.taken)) for name, at in others],
         identity=(row.package, row.file, *names),
         group=(place.file, row.package, row.file, *names),
