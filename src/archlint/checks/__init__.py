@@ -97,6 +97,7 @@ MODULES: tuple[str, ...] = (
     "published",
     "qos",
     "qos_contradictions",
+    "refused_bridges",
     "refused_calls",
     "python_dependencies",
     "required",
