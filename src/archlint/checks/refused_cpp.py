@@ -13,11 +13,11 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.packaging.unmade_headers import UnmadeHeader, unmade_headers
 from archlint.place import Place
-from archlint.python_code.cpp_members import RefusedMember, built_code, refused_members
+from archlint.python_code.cpp_members import RefusedMember, refused_members
+from archlint.python_code.refused_cpp_uses import RefusedUse, refused_uses
 from archlint.suggestions import listed, nearest
 
 if TYPE_CHECKING:
-    from archlint.syntax.cpp_uses import RefusedUse
     from archlint.systems.model import System, WorkspaceIndex
 
 _OLD = frozenset({"format", "no qos", "callback for qos"})
@@ -40,11 +40,9 @@ def refused_cpp(system: System, options: Options) -> Iterator[Finding]:
     for row in unmade_headers(workspace):
         if row.is_case or not is_older:
             yield _of_header(row)
-    for path in built_code(workspace):
-        code = workspace.code.cpp_facts_at(path)
-        for use in () if code is None else code.refused_uses:
-            if not (is_old and use.kind in _OLD):
-                yield _of_use(path, use)
+    for place, use in refused_uses(workspace):
+        if not (is_old and use.kind in _OLD):
+            yield _of_use(place, use)
 
 
 def _is_known(workspace: WorkspaceIndex, member: RefusedMember) -> bool:
@@ -96,9 +94,9 @@ def _of_header(row: UnmadeHeader) -> Finding:
 # ------------------------------------------------------------------------------------------------- what is given
 
 
-def _of_use(path: str, use: RefusedUse) -> Finding:
+def _of_use(place: Place, use: RefusedUse) -> Finding:
     message, help = words_for(use)
-    return _finding(Place(path, *use.span), message, help, use.kind)
+    return _finding(place, message, help, use.kind)
 
 
 def _finding(place: Place, message: str, help: str, kind: str, meant: str = "") -> Finding:

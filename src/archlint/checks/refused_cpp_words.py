@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from archlint.syntax.cpp_uses import RefusalOfCpp, RefusedUse
+    from archlint.python_code.refused_cpp_uses import RefusalOfCpp, RefusedUse
 
 _WORDS: Mapping[RefusalOfCpp, tuple[str, str]] = {
     "format": ("{name}() is given a std::string for its format", 'write {name}(…, "%s", text.c_str())'),
