@@ -165,6 +165,11 @@ def test_a_message_whose_operator_is_expected_to_fail(judge: Judge):
     judge("MSG003", _node("count", "try:; " + "    print(msg[0]); " + "except (TypeError, ValueError):; " + "    pass"))
 
 
+def test_a_comparison_does_not_fail_whatever_is_expected(judge: Judge):
+    tried = "try:; " + "    print(msg == 'stop')  # here; " + "except TypeError:; " + "    pass"
+    judge("MSG003", _node("word", tried))
+
+
 CALLED = """
 from rclpy.node import Node
 from std_msgs.msg import String

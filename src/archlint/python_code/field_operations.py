@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Literal
 from archlint.analysis.kept import kept_for_each_file, once
 from archlint.place import Place
 from archlint.python_code.class_chains import targets_of
-from archlint.python_code.tried_code import tried_for
+from archlint.python_code.tried_code import OF_A_WRONG_KIND, tried_for
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.interface_values import INTEGER_RANGES
@@ -36,6 +36,8 @@ _Spot = tuple[str, int, int, int, int]
 """A file, and the span in it."""
 _Row = tuple[_Deed, _Other, str, facts.Span, facts.Span]
 """What is done, with what beside the field, by which operator or function; the spans of the field and of it all."""
+_DeedTo = tuple[_Deed, _Other, str, facts.Expr, facts.Span]
+"""The same with the expression that it is done to."""
 _ORDER = frozenset({"<", "<=", ">", ">="})
 _EQUAL = frozenset({"==", "!=", "in", "not in"})
 _ARITHMETIC = frozenset({"+", "-", "/", "//", "**", "*"})
@@ -55,7 +57,6 @@ _HAVE = {kind: frozenset(name for type_ in types for name in dir(type_)) for kin
 LEVELS = frozenset({"error", "fatal", "info", "warn", "warning"})
 """Of a logger of ROS, which takes a text; not ``debug``, at which nobody looks by default."""
 _OF_OBJECTS = frozenset({"unpacks", "looks into", "runs"})
-_EXPECTED = {"TypeError", "AttributeError"}
 
 
 @dataclass(frozen=True)
@@ -154,24 +155,33 @@ def goes_wrong(held: _Kind, deed: _Deed, other: _Other, by: str) -> bool:
 
 @kept_for_each_file
 def _rows(code: facts.Facts) -> list[_Row]:
-    """What a file does with attributes that may be fields, outside of code that expects it to fail."""
-    expecting = tried_for(code.body, _EXPECTED)
+    """What a file does with attributes that may be fields."""
     rows: list[_Row] = []
     given = {target.dotted for target in targets_of(code.body)}
     for function in everything_in(code.body, facts.Function):
-        asked = asked_for_their_class(function)
-        for part in parts_of(function.body):
-            for deed, other, by, field, whole in deeds_of(part):
-                attribute = _attribute_behind(function, field)
-                certain = deed == "compares" or Itself(part) not in expecting
-                if deed in _OF_OBJECTS and attribute is not None and attribute.dotted in given:
-                    continue  # what another function makes of the field may stand it
-                if attribute is not None and certain and not {attribute.dotted, field.dotted} & asked:
-                    rows.append((deed, other, by, attribute.span, whole))
+        asked = _asked_for_their_class(function)
+        for deed, other, by, field, whole in deeds_in(function):
+            attribute = _attribute_behind(function, field)
+            if deed in _OF_OBJECTS and attribute is not None and attribute.dotted in given:
+                continue  # what another function makes of the field may stand it
+            if attribute is not None and attribute.dotted not in asked:
+                rows.append((deed, other, by, attribute.span, whole))
     return rows
 
 
-def deeds_of(part: facts.Base) -> Iterator[tuple[_Deed, _Other, str, facts.Expr, facts.Span]]:
+def deeds_in(function: facts.Function) -> Iterator[_DeedTo]:
+    """What a function does with what may be a field or a message, but for what it asks for its class, and where it
+    expects that to fail.  A comparison does not fail."""
+    asked = _asked_for_their_class(function)
+    expecting = tried_for(function.body, OF_A_WRONG_KIND)
+    for part in parts_of(function.body):
+        for row in _deeds_of(part):
+            deed, _, _, value, _ = row
+            if value.dotted not in asked and (deed == "compares" or Itself(part) not in expecting):
+                yield row
+
+
+def _deeds_of(part: facts.Base) -> Iterator[_DeedTo]:
     """What a part does with a field or a message, if it is one: with what beside it, by what, and the spans."""
     match part:
         case facts.Binary(op="+", left=left, right=right, span=span):
@@ -298,20 +308,20 @@ def _read_into(function: facts.Function) -> dict[str, facts.Attribute]:
     return attributes
 
 
-def asked_for_their_class(function: facts.Function) -> set[str]:
+@once_for
+def _asked_for_their_class(function: facts.Function) -> frozenset[str]:
     """What a function asks for its class: ``isinstance(msg.data, str)``, ``type(msg.data)``, ``hasattr(…)``."""
-    return {
+    return frozenset(
         call.args[0].value.dotted
         for call in everything_in(function.body, facts.Call)
         if call.func.variable in ("isinstance", "type", "hasattr") and call.args
-    }
+    )
 
 
 __all__ = [
     "LEVELS",
     "FieldOperation",
-    "asked_for_their_class",
-    "deeds_of",
+    "deeds_in",
     "field_operations",
     "fields_read",
     "goes_wrong",

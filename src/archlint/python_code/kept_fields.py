@@ -11,8 +11,7 @@ from archlint.place import Place
 from archlint.python_code.class_chains import ClassInFile, classes_of, kept_for_each_class, methods_of
 from archlint.python_code.field_operations import (
     FieldOperation,
-    asked_for_their_class,
-    deeds_of,
+    deeds_in,
     fields_read,
     goes_wrong,
     held_in,
@@ -21,9 +20,7 @@ from archlint.python_code.kept_messages import is_given, is_plain
 from archlint.python_code.methods_at_work import of_self
 from archlint.python_code.plain_kinds import values_of_self
 from archlint.python_code.text_sums import is_its_own
-from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself, parts_of
 from archlint.syntax.walk import is_none
 
 if TYPE_CHECKING:
@@ -51,18 +48,15 @@ def kept_field_operations(system: System) -> Iterator[FieldOperation]:
 
 def _of_class(file: str, cls: facts.Class, attributes: dict[str, _Field]) -> Iterator[FieldOperation]:
     for method in methods_of(cls) if attributes else ():
-        asked = asked_for_their_class(method)
-        expecting = tried_for(method.body, {"TypeError", "AttributeError"})
-        for part in parts_of(method.body):
-            for deed, other, by, value, span in deeds_of(part) if Itself(part) not in expecting else ():
-                row = attributes.get(of_self(value) or "")
-                held = None if row is None else held_in(row[1])
-                if row is None or held is None or value.dotted in asked or not goes_wrong(held, deed, other, by):
-                    continue
-                use, kind, alone = row
-                if deed != "compares" or alone:  # else it asks whether a message has come
-                    place = Place(file, *span)
-                    yield FieldOperation(place, use, held, kind.name, deed, other, by, attribute=value.dotted)
+        for deed, other, by, value, span in deeds_in(method):
+            row = attributes.get(of_self(value) or "")
+            held = None if row is None else held_in(row[1])
+            if row is None or held is None or not goes_wrong(held, deed, other, by):
+                continue
+            use, kind, alone = row
+            if deed != "compares" or alone:  # else it asks whether a message has come
+                place = Place(file, *span)
+                yield FieldOperation(place, use, held, kind.name, deed, other, by, attribute=value.dotted)
 
 
 def _kept(system: System, file: str, cls: facts.Class) -> dict[str, _Field]:

@@ -10,13 +10,12 @@ from typing import TYPE_CHECKING
 
 from archlint.place import Place
 from archlint.python_code.class_chains import classes_of, files_with, methods_of
-from archlint.python_code.field_operations import asked_for_their_class, deeds_of, goes_wrong
+from archlint.python_code.field_operations import deeds_in, goes_wrong
 from archlint.python_code.message_operations import Delivered, MessageOperation, delivered
 from archlint.python_code.message_variables import given_to_others
 from archlint.python_code.methods_at_work import of_self
 from archlint.python_code.plain_kinds import values_of_self
 from archlint.python_code.text_sums import is_its_own
-from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.parts import Itself, parts_of
@@ -58,19 +57,14 @@ def _of_class(
         if is_its_own(workspace, file, number, name) and not is_given(workspace, name)
     }
     for method in methods_of(cls) if attributes else ():
-        asked = asked_for_their_class(method)
-        expecting = tried_for(method.body, {"TypeError", "AttributeError"})
-        for part in parts_of(method.body):
-            for deed, other, by, value, span in deeds_of(part) if Itself(part) not in expecting else ():
-                held = attributes.get(of_self(value) or "")
-                if held is None or value.dotted in asked or not goes_wrong("message", deed, other, by):
-                    continue
-                if deed == "compares" and not held.alone:
-                    continue  # it asks whether a message has come
-                row = held.by
-                yield MessageOperation(
-                    Place(file, *span), row.callback, value.dotted, row.type, "", deed, other, by, kept=True
-                )
+        for deed, other, by, value, span in deeds_in(method):
+            held = attributes.get(of_self(value) or "")
+            if held is None or not goes_wrong("message", deed, other, by):
+                continue
+            if deed == "compares" and not held.alone:
+                continue  # it asks whether a message has come
+            place, row = Place(file, *span), held.by
+            yield MessageOperation(place, row.callback, value.dotted, row.type, "", deed, other, by, kept=True)
 
 
 def is_given(workspace: WorkspaceIndex, name: str) -> bool:

@@ -13,13 +13,13 @@ from archlint.analysis.kept import kept_for_each_file
 from archlint.libraries.rclpy.names import interface_and_section
 from archlint.place import Place
 from archlint.python_code.class_chains import classes_of, methods_of
-from archlint.python_code.field_operations import LEVELS, asked_for_their_class, deeds_of, goes_wrong
+from archlint.python_code.field_operations import LEVELS, deeds_in, goes_wrong
 from archlint.python_code.kept_messages import is_given
 from archlint.python_code.message_variables import imported_messages, makes_message, variables_of_messages
 from archlint.python_code.methods_at_work import of_self
 from archlint.python_code.plain_kinds import values_of_self
 from archlint.python_code.text_sums import is_its_own
-from archlint.python_code.tried_code import tried_for
+from archlint.python_code.tried_code import OF_A_WRONG_KIND, tried_for
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of
 from archlint.syntax.walk import is_none
@@ -72,7 +72,7 @@ def _rows(code: facts.Facts) -> list[_Row]:
     classes = imported_messages(code)
     if not classes:
         return []
-    expecting = tried_for(code.body, {"TypeError", "AttributeError"})
+    expecting = tried_for(code.body, OF_A_WRONG_KIND)
     rows: list[_Row] = []
     for number, cls in enumerate(classes_of(code)):
         held = _held_by(cls, classes)
@@ -115,20 +115,16 @@ def _type_of(value: facts.Expr | None, classes: dict[str, str]) -> str | None:
 def _in(
     function: facts.Function, held: Mapping[str, str], expecting: set[Itself[facts.Base]], number: int | None
 ) -> Iterator[_Row]:
-    asked = asked_for_their_class(function) if held else set()
-    for part in parts_of(function.body) if held else ():
-        if Itself(part) in expecting:
-            continue
-        match part:
-            case facts.Binary(op=op, left=left, right=right, span=span) if op in _OPERATORS:
-                if _name(left) in held and _name(right) in held:
-                    yield _Row(span, _name(left), held[_name(left)], "calculates", "message", op, number)
-        for deed, other, by, value, span in deeds_of(part):
-            name = _name(value)
-            if deed == "looks into" or by in LEVELS or name not in held or name in asked:
-                continue  # MSG001 asks which fields there are, and API001 what is logged
-            if goes_wrong("message", deed, other, by):
-                yield _Row(span, name, held[name], deed, other, by, number)
+    for part in parts_of(function.body, facts.Binary) if held else ():
+        left, right = _name(part.left), _name(part.right)
+        if part.op in _OPERATORS and left in held and right in held and Itself[facts.Base](part) not in expecting:
+            yield _Row(part.span, left, held[left], "calculates", "message", part.op, number)
+    for deed, other, by, value, span in deeds_in(function) if held else ():
+        name = _name(value)
+        if deed == "looks into" or by in LEVELS or name not in held:
+            continue  # MSG001 asks which fields there are, and API001 what is logged
+        if goes_wrong("message", deed, other, by):
+            yield _Row(span, name, held[name], deed, other, by, number)
 
 
 def _name(e: facts.Expr) -> str:

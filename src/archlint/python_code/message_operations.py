@@ -14,12 +14,11 @@ from archlint.analysis.kept import once
 from archlint.analysis.source_code import source_code
 from archlint.model import Role
 from archlint.place import Place
-from archlint.python_code.field_operations import asked_for_their_class, deeds_of, goes_wrong
-from archlint.python_code.tried_code import tried_for
+from archlint.python_code.field_operations import deeds_in, goes_wrong
 from archlint.python_code.unassigned_attributes import called_in
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
-from archlint.syntax.parts import Itself, once_for, parts_of
+from archlint.syntax.parts import once_for
 
 if TYPE_CHECKING:
     from archlint.model import Callback
@@ -115,17 +114,13 @@ def _is_only_a_callback(workspace: WorkspaceIndex, file: str, function: facts.Fu
 @once_for
 def _rows(function: facts.Function) -> list[tuple[str, str, str, str, facts.Span]]:
     """What a function does with its parameters that no message stands, by their names, but for those that it binds
-    again or asks for their class."""
-    bound = set(names_bound(function.body))
-    expecting = tried_for(function.body, {"TypeError", "AttributeError"})
-    left_out = bound | asked_for_their_class(function)
-    params = {param.name for param in function.params} - left_out
-    rows: list[tuple[str, str, str, str, facts.Span]] = []
-    for part in parts_of(function.body):
-        for deed, other, by, value, span in deeds_of(part) if Itself(part) not in expecting else ():
-            if value.variable in params and goes_wrong("message", deed, other, by):
-                rows.append((deed, other, by, value.variable, span))
-    return rows
+    again."""
+    params = {param.name for param in function.params}.difference(names_bound(function.body))
+    return [
+        (deed, other, by, value.variable, span)
+        for deed, other, by, value, span in deeds_in(function)
+        if value.variable in params and goes_wrong("message", deed, other, by)
+    ]
 
 
 __all__ = ["Delivered", "MessageOperation", "delivered", "message_operations"]

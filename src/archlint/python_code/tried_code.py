@@ -7,6 +7,9 @@ from collections.abc import Iterable, Sequence
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
 
+OF_A_WRONG_KIND = frozenset({"TypeError", "AttributeError"})
+"""What Python raises where a value is of another kind than the code takes it for."""
+
 
 def tried_for(body: Sequence[facts.Stmt], errors: Iterable[str]) -> set[Itself[facts.Base]]:
     """What is tried in a body, where a handler catches one of these errors by name or by a base of it."""
@@ -19,4 +22,4 @@ def tried_for(body: Sequence[facts.Stmt], errors: Iterable[str]) -> set[Itself[f
     }
 
 
-__all__ = ["tried_for"]
+__all__ = ["OF_A_WRONG_KIND", "tried_for"]

@@ -10,7 +10,7 @@ from archlint.analysis.kept import kept_for_each_file, once
 from archlint.place import Place
 from archlint.python_code.own_calls import function_meant, own_calls_of
 from archlint.python_code.plain_kinds import Kind, kind_of
-from archlint.python_code.tried_code import tried_for
+from archlint.python_code.tried_code import OF_A_WRONG_KIND, tried_for
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
@@ -120,7 +120,7 @@ def _says_nothing(statement: facts.Stmt) -> bool:
 @kept_for_each_file
 def _uses(code: facts.Facts) -> list[tuple[facts.Span, tuple[Use, facts.Span]]]:
     """The calls whose results code uses, or those of the one variable that gets them: how, and where."""
-    expecting = tried_for(code.body, {"TypeError", "AttributeError"})
+    expecting = tried_for(code.body, OF_A_WRONG_KIND)
     rows: list[tuple[facts.Span, tuple[Use, facts.Span]]] = []
     for body in _bodies(code):
         kept = _kept_in(body)
