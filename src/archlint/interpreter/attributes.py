@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import containers, hints, overloads, path_parts, registries
+from archlint.interpreter import containers, hints, overloads, path_parts, registries, text_methods
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.classes import SETTERS
 from archlint.interpreter.values import (
@@ -129,6 +129,8 @@ def _of_module(machine: Machine, value: ModuleValue, name: str) -> Value:
 
 
 def _of_unknown(machine: Machine, value: Unknown, name: str) -> Value:
+    if value.of_class == "str" and name in text_methods.METHODS:
+        return Builtin(f"str.{name}", value)
     method = machine.library.method_of_unknown(value, name)
     return method or Unknown(value.reason, value.parameter, hints.attribute_of(machine, value, name))
 

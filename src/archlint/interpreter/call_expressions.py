@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers, refusals
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.calls import call
 from archlint.interpreter.objects.methods import PUTS
+from archlint.interpreter.text_methods import decodes
 from archlint.interpreter.values import (
     ClassValue,
     Entries,
@@ -48,7 +50,10 @@ def evaluate_call(machine: Machine, e: facts.Call) -> Value:
     else:
         with context:
             result = call(machine, function, site)
-    machine.unknown_results += isinstance(result, Unknown)
+    if isinstance(result, Unknown):
+        machine.unknown_results += 1
+        if result.of_class is None and decodes(e):
+            return replace(result, of_class="str")
     return result
 
 

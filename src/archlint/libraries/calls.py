@@ -95,7 +95,7 @@ def call_builtin(run: Run, offers: Offers, name: str, site: CallSite) -> Value:
     if api is not None and site.expression is not None:
         watched_calls.note(run, api, None, {}, site.expression)
     if name == "input":
-        return Unknown("keyboard input")
+        return Unknown("keyboard input", of_class="str")
     plain = offers.plain.get(name)
     if plain is None:
         return Unknown(f"the result of {name}()")

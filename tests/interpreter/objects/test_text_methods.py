@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.interpreter.values import Holed, Known, OneOf, Unknown, Value
+from archlint.interpreter.values import EachValue, Holed, Known, OneOf, Unknown, Value
 from interpreting import OUTSIDE, assert_like_python, evaluate, interpret
 
 
@@ -103,18 +103,36 @@ def test_what_a_parameter_chose_of_a_text_comes_from_it():
         ("startswith('x')", False),
         ("endswith('scan')", True),
         ("endswith('map')", False),
-        ("startswith('/Robot/and/more')", ...),
-        ("endswith('a/very/long/scan')", ...),
-        ("startswith('/', 1)", ...),
-        ("split('/')", ...),
-        ("title()", ...),
     ],
 )
 def test_what_the_known_ends_of_a_text_tell(call: str, expected: object):
     """``f'/Robot/{unknown}/scan'``."""
     text = Holed(("/Robot/", None, "/scan"), "not here")
-    value = evaluate(f"x.{call}", x=text)
-    assert value == (Unknown("not here") if expected is ... else Known(expected))
+    assert evaluate(f"x.{call}", x=text) == Known(expected)
+
+
+@pytest.mark.parametrize(
+    ("call", "of_class"),
+    [
+        ("startswith('/Robot/and/more')", "bool"),
+        ("endswith('a/very/long/scan')", "bool"),
+        ("startswith('/', 1)", "bool"),
+        ("title()", "str"),
+        ("encode()", "bytes"),
+        ("index('/')", "int"),
+        ("maketrans('a', 'b')", None),
+    ],
+)
+def test_what_methods_of_a_text_give_that_is_not_known(call: str, of_class: str | None):
+    holed = Holed(("/Robot/", None, "/scan"), "not here")
+    assert evaluate(f"x.{call}", x=holed) == Unknown("not here", of_class=of_class)
+    if of_class is not None:
+        assert evaluate(f"x.{call}", x=Unknown("not here", of_class="str")) == Unknown("not here", of_class=of_class)
+
+
+def test_the_parts_of_a_text_that_is_not_known_are_texts():
+    holed = Holed(("/Robot/", None, "/scan"), "not here")
+    assert evaluate("x.split('/')", x=holed) == EachValue(Unknown("not here", of_class="str"))
 
 
 def test_letters_change_around_a_hole():

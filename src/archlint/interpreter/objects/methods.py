@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.changed_texts import change
 from archlint.interpreter.objects import dicts, lists, texts
+from archlint.interpreter.text_methods import result_of
 from archlint.interpreter.values import DictValue, Holed, Known, ListValue, Unknown, Value
 
 if TYPE_CHECKING:
@@ -22,12 +23,15 @@ def call_method(machine: Machine, target: Value, name: str, site: CallSite) -> V
     if (changed := change(machine, target, name, site) if isinstance(target, (Known, Holed)) else None) is not None:
         return changed
     match target:
-        case Known(value=str()):
-            return texts.call(machine, target, name, site) or Unknown(f"str.{name}() is not followed")
+        case Known(value=str(), kind=kind):
+            why = f"str.{name}() is not followed"
+            return texts.call(machine, target, name, site) or (Unknown(why) if kind == "path" else result_of(name, why))
         case Holed():
             return texts.call_holed(target, name, site)
         case ListValue() | DictValue():
             return _of_container(machine, target, name, site)
+        case Unknown(of_class="str"):
+            return result_of(name, target.reason)
     return Unknown(f"{name}() of a value that is not followed")
 
 

@@ -12,6 +12,7 @@ from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.containers import new_list
 from archlint.interpreter.formatting import CARTESIAN, combine, format_one
 from archlint.interpreter.items import get_item
+from archlint.interpreter.text_methods import result_of
 from archlint.interpreter.values import (
     TEXT_LIMIT,
     Holed,
@@ -76,7 +77,7 @@ def call_holed(target: Holed, name: str, site: CallSite) -> Value:
             return Known(first.startswith(given))
         if name == "endswith" and last is not None and len(given) <= len(last):
             return Known(last.endswith(given))
-    return Unknown(target.reason)
+    return result_of(name, target.reason)
 
 
 def _plain_method(call: TextCall) -> Value:

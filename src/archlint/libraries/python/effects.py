@@ -155,24 +155,25 @@ def _product(run: Run, site: CallSite) -> Value:
     return containers.new_list(run, [containers.new_list(run, row, "tuple") for row in rows])
 
 
-def _number(path: str, of_class: str) -> Plain:
-    """What gives a number of one class, whatever it is given: ``time.time()``."""
+def _result(path: str, of_class: str) -> Plain:
+    """What gives something of one class, whatever it is given: ``time.time()``."""
     return lambda run, site: Unknown(f"{path}() is outside of this workspace", of_class=of_class)
 
 
-_NUMBERS = {
+_RESULTS = {
     "float": {
         "time": "time monotonic perf_counter",
         "math": "acos asin atan atan2 copysign cos degrees exp fabs fmod hypot log log10 log2 pow radians sin sqrt tan",
         "random": "gauss random uniform",
     },
     "int": {"time": "time_ns monotonic_ns perf_counter_ns", "random": "randint randrange", "math": "ceil floor trunc"},
+    "str": {"json": "dumps", "time": "strftime ctime asctime"},
     "numpy.bool": {"numpy": "all any bool_"},
     "numpy.integer": {"numpy": "argmax argmin int8 int16 int32 int64 uint8 uint16 uint32 uint64"},
     "numpy.float32": {"numpy": "float16 float32"},
     "numpy.ndarray": {"numpy": "arange array empty eye full identity linspace ones zeros"},
 }
-"""The functions of Python's modules, and of numpy, that give a number or an array, by its class."""
+"""The functions of Python's modules, and of numpy, that give a number, a text or an array, by its class."""
 
 
 PLAIN: dict[str, Plain] = {
@@ -197,8 +198,8 @@ PLAIN: dict[str, Plain] = {
         run, [_folder(run, site.args), _file_name(site.args)], "tuple"
     ),
     **{
-        f"{module}.{name}": _number(f"{module}.{name}", of_class)
-        for of_class, modules in _NUMBERS.items()
+        f"{module}.{name}": _result(f"{module}.{name}", of_class)
+        for of_class, modules in _RESULTS.items()
         for module, names in modules.items()
         for name in names.split()
     },

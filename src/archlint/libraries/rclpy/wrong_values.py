@@ -282,6 +282,7 @@ _OF_CLASSES = {
     "float": _Shape(_What.FLOAT, "a float"),
     "str": _Shape(_What.TEXT, "a string"),
     "bool": _Shape(_What.BOOL, "a bool"),
+    "bytes": _Shape(_What.BYTES, "bytes", "make a text of them: .decode()"),
     "numpy.bool": _Shape(_What.NUMPY, "a bool of numpy"),
     "numpy.integer": _Shape(_What.NUMPY, "an int of numpy"),
     "numpy.float32": _Shape(_What.NUMPY, "a float32 of numpy"),
