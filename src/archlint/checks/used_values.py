@@ -15,6 +15,7 @@ from archlint.python_code.hidden_messages import HiddenMessage, hidden_messages
 from archlint.python_code.misused_kinds import Misuse, MisusedKind, misused_kinds
 from archlint.python_code.parameter_values import WrongParameter, wrong_parameters
 from archlint.python_code.plain_kinds import Kind
+from archlint.python_code.refused_defaults import RefusedDefault, refused_defaults
 from archlint.python_code.text_sums import TextSum, text_sums
 from archlint.python_code.used_nothing import Use, UsedNothing, uses_of_nothing
 
@@ -46,6 +47,8 @@ def used_value_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _text(sum_))
         for parameter in wrong_parameters(system.workspace):
             yield from unless_uncalled(system, _parameter(parameter))
+        for default in refused_defaults(system.workspace):
+            yield from unless_uncalled(system, _default(default))
         for hidden in hidden_messages(system.workspace):
             yield from unless_uncalled(system, _hidden(hidden))
         for truth in array_truths(system.workspace):
@@ -105,6 +108,18 @@ def _parameter(row: WrongParameter) -> Finding:
         help=f"give a value of the type {row.type}, or the type of the value",
         identity=("Parameter", row.type),
         group=(row.place.file, "Parameter", row.type),
+    )
+
+
+def _default(row: RefusedDefault) -> Finding:
+    cure = "write all of them alike: 1.0 beside 0.5" if row.mixed else "declare a parameter for each value in it"
+    return finding(
+        "API001",
+        row.place,
+        f"declare_parameter() fails with a TypeError: no parameter can be {row.value}",
+        help=cure,
+        identity=("declare_parameter", row.value),
+        group=(row.place.file, "declare_parameter", row.value),
     )
 
 

@@ -1,0 +1,105 @@
+"""Defaults of parameters that no parameter of ROS can have: ``declare_parameter('gains', {'p': 1.0})``.
+
+Source: ``Parameter.Type.from_parameter_value`` in rclpy/parameter.py of humble, jazzy and kilted, which raises a
+TypeError; tried with rclpy of jazzy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import kept_for_each_file
+from archlint.place import Place
+from archlint.python_code.class_chains import files_with
+from archlint.python_code.plain_kinds import Kind, kind_of
+from archlint.python_code.tried_code import tried_for
+from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.walk import given_to
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_DECLARES = "declare_parameter"
+_NUMBERS = ("a bool", "an int")
+"""What one list may have both of: a bool is an int."""
+
+
+@dataclass(frozen=True)
+class RefusedDefault:
+    """A declaration of a parameter with such a default, in words."""
+
+    place: Place
+    value: str
+    mixed: bool
+    """Whether it is a list of values of several types."""
+
+
+def refused_defaults(workspace: WorkspaceIndex) -> Iterator[RefusedDefault]:
+    """Every such call in the files that use rclpy, outside of test code; none where the workspace has a method of that
+    name itself."""
+    read = [workspace.facts_at(path) for path in files_with(workspace, _DECLARES)]
+    if any(code is None or _defines(code) for code in read):
+        return
+    for path in workspace.python_files(mentioning=_DECLARES):
+        for span, value, mixed in _rows(workspace, path) or ():
+            yield RefusedDefault(Place(path, *span), value, mixed)
+
+
+def _defines(code: facts.Facts) -> bool:
+    return any(function.name == _DECLARES for function in everything_in(code.body, facts.Function))
+
+
+@kept_for_each_file
+def _rows(code: facts.Facts) -> list[tuple[facts.Span, str, bool]]:
+    forgiven = tried_for(code.body, {"TypeError", "Exception"})
+    rows: list[tuple[facts.Span, str, bool]] = []
+    for call in everything_in(code.body, facts.Call):
+        if call.func.attribute != _DECLARES or Itself[facts.Base](call) in forgiven:
+            continue
+        default = None if any(argument.star for argument in call.args) else given_to(call, "value", 1)
+        refused = None if default is None else _refused(default)
+        if refused is not None:
+            rows.append((call.span, *refused))
+    return rows
+
+
+def _refused(default: facts.Expr) -> tuple[str, bool] | None:
+    """What is refused, in words, and whether it is for the types in it."""
+    match default:
+        case facts.Mapping() | facts.Comprehension(kind="dict"):
+            return "a dict", False
+        case facts.Sequence(kind="set"):
+            return "a set", False
+        case facts.Sequence(kind="list" | "tuple", elements=elements):
+            return _of_items(elements)
+    return ("an array of numpy", False) if kind_of(default, {}) is Kind.ARRAY else None
+
+
+def _of_items(elements: Sequence[facts.Base]) -> tuple[str, bool] | None:
+    if any(isinstance(each, (facts.Sequence, facts.Mapping)) for each in elements):
+        return "a list of lists or dicts", False
+    types = {_type_of(each) for each in elements}
+    if None in types or len(types) < 2 or types <= {*_NUMBERS}:
+        return None
+    return f"a list with {' and '.join(sorted(str(each) for each in types))}", True
+
+
+def _type_of(element: facts.Base) -> str | None:
+    match element:
+        case facts.Unary(op="-", operand=operand):
+            return _type_of(operand)
+        case facts.Literal(value=bool()):
+            return "a bool"
+        case facts.Literal(value=int()):
+            return "an int"
+        case facts.Literal(value=float()):
+            return "a float"
+        case facts.Literal(value=str()):
+            return "a text"
+    return None
+
+
+__all__ = ["RefusedDefault", "refused_defaults"]
