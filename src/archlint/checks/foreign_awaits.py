@@ -9,13 +9,15 @@ from archlint.analysis.reach import one_for_each_place
 from archlint.analysis.source_code import source_code
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.folding import folds, with_others
-from archlint.checks.registry import Options, rule
+from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.uncalled import unless_uncalled
 from archlint.execution.callback_roles import callback_words
-from archlint.finding import Finding
+from archlint.finding import Finding, Related
 from archlint.libraries.tables.event_loops import LIMITS, SLEEP, STARTS
 from archlint.model import Role
 from archlint.python_code.foreign_awaits import foreign_awaits, waits_for_an_answer
+from archlint.python_code.spins_in_tasks import SpinInTask, spins_in_tasks
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
@@ -29,8 +31,22 @@ _UNTIL_EITHER = "await an rclpy.task.Future that a timer completes, or the answe
 
 @rule("EXE010", scope=Scope.CODE)
 def foreign_awaitable(system: System, options: Options) -> Iterator[Finding]:
-    """Calls that end with the exception that there is no event loop."""
+    """Calls that end with the exception that there is no event loop, and spins that keep it from running."""
     yield from one_for_each_place(_finding(system, program, call) for program, call in foreign_awaits(system))
+    for row in () if system.workspace is None else spins_in_tasks(system.workspace):
+        yield from unless_uncalled(system, _blocking(row))
+
+
+def _blocking(row: SpinInTask) -> Finding:
+    return finding(
+        "EXE010",
+        row.place,
+        f"{row.function}() spins and never gives the thread back to asyncio: the tasks beside it stand still",
+        help="await asyncio.to_thread(rclpy.spin, node), or start the spin in a thread of its own",
+        related=[Related(row.task, f"asyncio runs {row.function}() as a task here")],
+        identity=("spin", row.function),
+        group=(row.place.file, "spin", row.function),
+    )
 
 
 def _finding(system: System, program: Program, call: ApiCall) -> Finding:
