@@ -182,3 +182,19 @@ def test_a_part_of_a_parameter_depends_on_the_parameter() -> None:
     [node] = graph_of(publish('declare_parameter<std::string>("topic", "/ns/a").substr(1)'))
     [end] = node["publishers"]
     assert (end["name"], end["resolution"], end["parameter"]) == ("/ns/a", "parameter", "topic")
+
+
+@pytest.mark.parametrize(
+    ("default", "reliability"),
+    [
+        ("RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT", "system_default"),
+        ("RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT", "best_effort"),
+        ("1", "reliable"),
+    ],
+)
+def test_a_parameter_holds_the_number_of_a_policy(default: str, reliability: str) -> None:
+    made = f'const int qos = declare_parameter<int>("qos", {default});'
+    [node] = graph_of(f"{made} {publish('name', 'rclcpp::QoS(1).reliability((rmw_qos_reliability_policy_t)qos)')}")
+    [end] = node["publishers"]
+    assert end["qos"]["reliability"] == reliability
+    assert [(row["name"], row["type"]) for row in node["parameters"]] == [("qos", "integer")]

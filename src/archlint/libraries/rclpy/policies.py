@@ -39,8 +39,10 @@ _POLICY_CLASSES: dict[str, PolicyName] = {
 
 def policy_number(path: str) -> int | None:
     """The number of a policy's enum member, such as a parameter has it for a default; None for other names."""
-    owner = rclpy_names.canonical(path.removesuffix(".value")).rpartition(".")[0]
+    owner, _, member = rclpy_names.canonical(path.removesuffix(".value")).rpartition(".")
     name = _POLICY_CLASSES.get(owner)
+    if owner == "rclcpp":  # RMW_QOS_POLICY_RELIABILITY_RELIABLE
+        name = next((each for each in _BY_NUMBER if member.startswith(f"RMW_QOS_POLICY_{each.upper()}_")), None)
     if name is None:
         return None
     word = _word(name, path)
