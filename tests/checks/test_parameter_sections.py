@@ -232,3 +232,27 @@ def test_a_file_of_which_the_launch_makes_another_one(findings, more: str, told:
     messages = [row.message for row in findings("PRM005", **files)]
     assert len(messages) == told
     assert all(message.endswith("starts a node '/Talker'; did you mean '/talker'?") for message in messages)
+
+
+@pytest.mark.parametrize(
+    ("key", "launch", "meant"),
+    [
+        ("talker_node", node(LOAD_IT, name="talker"), ["/talker"]),
+        ("talker", node(LOAD_IT, name="talker_node"), ["/talker_node"]),
+        # Only the one that gets the file is meant, and one alone.
+        ("talker_node", node(LOAD_IT, name="listener") + node(name="talker"), [""]),
+        ("front/talker_node", node(LOAD_IT, name="talker"), [""]),
+    ],
+)
+def test_a_key_that_says_node_at_its_end(findings, key: str, launch: str, meant: list[str]):
+    told = findings("PRM005", launch, **{"config/p.yaml": f"{key}: {RATE}\n"})
+    assert [row.meant for row in told] == meant
+
+
+def test_a_program_from_elsewhere_that_gets_the_file_under_almost_the_name(findings):
+    camera = f'<node pkg="camera" exec="driver" name="left_camera">{LOAD_IT}</node>'
+    (told,) = findings("PRM005", camera, **{"config/p.yaml": f"left_camera_node: {RATE}\n"})
+    assert told.message == (
+        "no launch file that loads this file starts a node '/left_camera_node'; did you mean '/left_camera'?"
+    )
+    assert findings("PRM005", camera, **{"config/p.yaml": f"right: {RATE}\n"}) == []

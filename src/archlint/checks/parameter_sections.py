@@ -103,7 +103,7 @@ def _judged(
         return None
     if is_for_a_test(workspace, file, last):
         return None
-    near = nearest(key, [node.name for node in unmet if not node.other_name]) or ""
+    near = nearest(key, [node.name for node in unmet if not node.other_name]) or _with_node(key, unmet, file)
     if not near and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
         return None
     loaders = {node.name for node in started if _loads(node, file)}
@@ -125,6 +125,17 @@ def _renamed(told: Finding, loader: _Loader) -> Finding:
     at = loader.node.launch_place
     related = () if at is None else (Related(at, f"this calls it '{loader.name}'"),)
     return replace(told, help=help, related=related)
+
+
+def _with_node(key: str, unmet: Sequence[_Loader], file: str) -> str:
+    """The node that a key is for but for the word ``node`` at its end, if it gets the file and no section of it;
+    empty for none, and for several."""
+    plain = key.removesuffix(_NODE)
+    same = {row.name for row in unmet if row.name.removesuffix(_NODE) == plain and _loads(row, file)}
+    return same.pop() if len(same) == 1 and not any(row.other_name for row in unmet) else ""
+
+
+_NODE = "_node"
 
 
 def _loads(loader: _Loader, file: str) -> bool:
