@@ -152,7 +152,7 @@ def test_what_a_package_of_the_workspace_needs_is_all_that_it_brings(lint: Lint)
 def test_loose_scripts_of_a_package_that_installs_nothing(lint: Lint, install: str, expected: list[str]):
     cmake = f"project(talk)\nfind_package(ament_cmake REQUIRED)\n{install}\nament_package()\n"
     files = {
-        "package.xml": manifest("talk", *depends("rclpy")).replace("ament_python", "ament_cmake"),
+        "package.xml": manifest("talk", *depends("ament_cmake", "rclpy")).replace("ament_python", "ament_cmake"),
         "CMakeLists.txt": cmake,
         "tools/node.py": node(POSE),
         "talk/__init__.py": "",
@@ -173,7 +173,7 @@ def test_loose_scripts_of_a_package_that_installs_nothing(lint: Lint, install: s
 def test_loose_scripts_of_a_package_of_cpp_programs(lint: Lint, install: str, expected: list[str]):
     targets = "add_executable(driver src/driver.cpp)\ninstall(TARGETS driver DESTINATION lib/${PROJECT_NAME})"
     files = {
-        "package.xml": manifest("talk", *depends("rclpy")).replace("ament_python", "ament_cmake"),
+        "package.xml": manifest("talk", *depends("ament_cmake", "rclpy")).replace("ament_python", "ament_cmake"),
         "CMakeLists.txt": f"project(talk)\nfind_package(ament_cmake REQUIRED)\n{targets}\n{install}\nament_package()\n",
         "tools/node.py": node(POSE, "rclpy.init()"),
         "tools/other.py": "print('other')\n",
@@ -851,6 +851,14 @@ def test_what_cmake_does_not_need_declared(lint: Lint, find: str, tags: list[str
 def test_what_exports_ament_cmake(lint: Lint, declared: str, told: int):
     files = built("")
     files["package.xml"] = files["package.xml"].replace("ament_cmake<", f"{declared}<", 1)
+    messages = [row.message for row in lint(files)]
+    assert messages == told * ["package 'robot' builds with 'ament_cmake', which its package.xml does not declare"]
+
+
+@pytest.mark.parametrize(("others", "told"), [(["rclcpp", "std_msgs"], 1), (["rclcpp", "acme_base"], 0), ([], 1)])
+def test_what_others_are_built_with_is_not_brought_along(lint: Lint, others: list[str], told: int):
+    files = built("", *depends(*others, tag="depend"))
+    files["package.xml"] = files["package.xml"].replace("<buildtool_depend>ament_cmake</buildtool_depend>", "")
     messages = [row.message for row in lint(files)]
     assert messages == told * ["package 'robot' builds with 'ament_cmake', which its package.xml does not declare"]
 

@@ -57,7 +57,10 @@ def packages_to_declare(
         for asked in own:
             if asked.of_tests and _builds_no_tests(workspace, asked.place.file):
                 continue
-            if asked.name not in known or asked.name in there or _is_of_system(asked.name, declared - known):
+            before = there
+            if asked.name == _CMAKE and not _may_bring_cmake(workspace, declared, brought_by):
+                before = frozenset(declared)
+            if asked.name not in known or asked.name in before or _is_of_system(asked.name, declared - known):
                 continue
             if asked.name.endswith(_MODULE) and there - known - rosdep.keys():
                 continue
@@ -65,6 +68,17 @@ def packages_to_declare(
 
 
 _NO_TESTS = re.compile(r"^[ \t]*set[ \t]*\([ \t]*BUILD_TESTING[ \t]+(?:OFF|NO|FALSE|0)\b", re.MULTILINE | re.IGNORECASE)
+
+
+def _may_bring_cmake(workspace: WorkspaceIndex, declared: set[str], brought_by: Callable[[str], set[str]]) -> bool:
+    """Whether a package that is declared may be there to build others with ament_cmake.  What others need when they run
+    is no tool to build with, though it may need one itself."""
+    of_ros, rosdep_keys = packages.table().names, rosdep.keys()
+    for name in declared:
+        known = name in of_ros or name in workspace.packages or name in rosdep_keys
+        if not known or "cmake" in name or (name in workspace.packages and _CMAKE in brought_by(name)):
+            return True
+    return False
 
 
 def _builds_no_tests(workspace: WorkspaceIndex, file: str) -> bool:
