@@ -58,6 +58,11 @@ def test_a_package_that_is_not_found_either(lacking):
     )
 
 
+def test_a_package_that_is_linked_by_its_name_alone_brings_no_headers(lacking):
+    ((_, message, _),) = lacking(TRACKER + "target_link_libraries(tracker rclcpp nav_msgs yaml-cpp)\n")
+    assert "these 2 packages: nav_msgs, rclcpp" in message
+
+
 def test_a_variable_of_a_package_that_is_found(lacking):
     tracker = TRACKER + "target_link_libraries(tracker ${rclcpp_LIBRARIES} ${OpenCV_LIBS} ${SCAN_LIBRARY})\n"
     ((line, _, _),) = lacking("find_library(SCAN_LIBRARY scan)\n" + tracker)

@@ -7,12 +7,12 @@ Whatever a command gives in one of several cases counts as given, and so does wh
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from archlint.finding import Place
 from archlint.ros import packages
-from archlint.workspace.cmake import Argument
+from archlint.workspace.cmake import Argument, Command
 from archlint.workspace.cmake_run import Step
 from archlint.workspace.installed import BuiltTarget
 
@@ -98,7 +98,7 @@ def built_targets(steps: Sequence[Step], package: str) -> list[BuiltTarget]:
             to = targets.get(_plain(command.arguments[0].text, package))
             all_open |= command.arguments[0].open
             if to is not None:
-                to.open |= not _add(to.given, command.arguments[1:], build)
+                to.open |= not _add(to.given, _with_headers(command, targets), build)
                 to.place = to.place if to.settled else _place(command.arguments[0], step)
                 to.settled = True
         elif command.name not in _CHANGE_NO_HEADERS or _brings_headers(command.texts):
@@ -108,6 +108,16 @@ def built_targets(steps: Sequence[Step], package: str) -> list[BuiltTarget]:
         BuiltTarget(row.name, row.sources, row.place, frozenset(row.given | all_given), row.open or all_open)
         for row in targets.values()
     ]
+
+
+def _with_headers(command: Command, targets: Mapping[str, _Target]) -> Sequence[Argument]:
+    """What a command gives its target that may have folders of headers: a package of ROS is no target of its own name,
+    so that ``target_link_libraries(talker rclcpp)`` names a file to link, and no more."""
+    given = command.arguments[1:]
+    if command.name != "target_link_libraries":
+        return given
+    of_ros = packages.table().names
+    return [argument for argument in given if argument.text in targets or argument.text not in of_ros]
 
 
 TYPE_SUPPORT = "<type support>"
