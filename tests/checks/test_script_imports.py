@@ -74,3 +74,34 @@ def test_a_module_that_another_package_has(findings):
     more = {"tools/package.xml": CMAKE.replace("robot", "tools"), "tools/gps_tools.py": "RADIUS = 1.0\n"}
     more["tools/CMakeLists.txt"] = "project(tools)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
     assert findings("PKG004", **files("import gps_tools", **more)) == []
+
+
+PACKAGE = {"robot/__init__.py": "", "robot/arm_tools.py": "RADIUS = 1.0\n"}
+OF_PACKAGE = "from robot.arm_tools import RADIUS"
+
+
+@pytest.mark.parametrize("imports", [OF_PACKAGE, "import robot.arm_tools", "from robot import arm_tools"])
+def test_a_package_of_python_that_nothing_installs(findings, imports):
+    (finding,) = findings("PKG004", **files(imports, **PACKAGE))
+    assert finding.message == (
+        "the installed script 'drive.py' imports 'robot', a folder that nothing installs where Python looks: the "
+        "import fails"
+    )
+    assert finding.help == "find ament_cmake_python, and write ament_python_install_package(robot)"
+    assert (finding.place.line, [row.place.line for row in finding.related]) == (3, [3])
+
+
+@pytest.mark.parametrize(
+    ("imports", "installed"),
+    [
+        (OF_PACKAGE, f"{ALONE}\nament_python_install_package(robot)"),
+        (OF_PACKAGE, f"{ALONE}\ninstall(DIRECTORY robot DESTINATION ${{PYTHON_INSTALL_DIR}})"),
+        (OF_PACKAGE, f"{ALONE}\ninstall(DIRECTORY robot DESTINATION lib/${{PROJECT_NAME}})"),
+        (OF_PACKAGE, f"{ALONE}\nament_environment_hooks(path.dsv)"),
+        (f"import sys\nsys.path.append('/opt')\n{OF_PACKAGE}", ALONE),
+        (f"try:\n    {OF_PACKAGE}\nexcept ImportError:\n    pass", ALONE),
+        ("from rclpy.arm_tools import RADIUS", ALONE),
+    ],
+)
+def test_a_package_of_python_that_is_installed_or_may_be(findings, imports, installed):
+    assert findings("PKG004", **files(imports, installed, **PACKAGE)) == []

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.data_beside_modules import of_data_beside_modules
 from archlint.checks.folding import folds, with_others
+from archlint.checks.left_out_by_cmake import left_out_by_cmake
 from archlint.checks.left_out_headers import of_left_out_headers
 from archlint.checks.listed_packages import of_packages_in_vain, packages_in_vain
 from archlint.checks.packages import workspace_of
@@ -84,6 +85,7 @@ def _all_left_out(workspace: WorkspaceIndex) -> Iterator[Finding]:
     commands = {row.place.file for row in files_in_vain if row.command == _GENERATES}
     yield from (_interfaces(row) for row in not_generated(workspace) if row.command.file not in commands)
     yield from imports_of_scripts(workspace)
+    yield from left_out_by_cmake(workspace)
     yield from of_data_beside_modules(workspace)
     yield from of_left_out_headers(workspace)
 

@@ -12,6 +12,7 @@ from archlint.programs.cmake_commands import misspelt_commands, unregistered_at
 from archlint.programs.cmake_names import may_make_anything, misnamed_project, misspelt_variables, read_names
 from archlint.programs.cmake_targets import TargetNames
 from archlint.programs.installed_targets import programs_astray
+from archlint.programs.left_libraries import left_libraries
 from archlint.programs.refused_commands import called_commands, refused_commands
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.workspace.cmake import Argument, Command
@@ -96,6 +97,7 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
         installs.astray = programs_astray(installs, run.steps, targets)
         read_names(installs, run.steps)
         installs.called += called_commands(run.steps) if installs.looked_for else []
+        installs.left_libraries += [] if installs.open_files else left_libraries(run.steps, installs.words)
         installs.unset_variables += misspelt_variables(run.steps)
     installs.refused += refused_commands(run.steps, None if makes_sources else tree)
     installs.misspelt += misspelt_commands(run.steps, installs.words)

@@ -129,6 +129,15 @@ class CalledCommand:
 
 
 @dataclass(frozen=True)
+class LeftLibrary:
+    """A shared library that nothing installs, made at a ``place``; ``needed_by`` is installed and needs it."""
+
+    name: str
+    needed_by: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class BuiltTarget:
     """A program or library that CMake commands make of ``sources`` (shown paths); ``place`` is where they say what it
     depends on, or else where it is made."""
@@ -230,6 +239,8 @@ class Installs:
     """Commands that CMake stops at as they are written."""
     called: list[CalledCommand] = field(default_factory=list)
     """Commands of packages that have to be found, where all of the build is read."""
+    left_libraries: list[LeftLibrary] = field(default_factory=list)
+    """Shared libraries that nothing installs, where all of the build is read."""
     unregistered_at: Place | None = None
     """The last command of the CMakeLists.txt, where nothing in the build enters the package into the index."""
     looked_for: frozenset[str] = frozenset()

@@ -1,0 +1,60 @@
+"""PKG004: what a CMakeLists.txt builds or has and does not install, though what it installs needs it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.registry import finding
+from archlint.finding import Finding, Related
+from archlint.packaging.left_out_packages import LeftOutPackage, packages_of_scripts
+from archlint.packaging.uninstalled_files import understood
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import LeftLibrary
+
+_SHOWN = 5
+"""How many imports are related."""
+
+
+def left_out_by_cmake(workspace: WorkspaceIndex) -> Iterator[Finding]:
+    """Shared libraries of installed programs, and Python packages of installed scripts."""
+    for package, installs in understood(workspace).items():
+        manifest = workspace.packages.get(package)
+        if manifest is not None and manifest.build_type == "ament_cmake":
+            yield from (_library(package, row) for row in installs.left_libraries)
+    by_folder: dict[str, list[LeftOutPackage]] = {}
+    for row in packages_of_scripts(workspace):
+        by_folder.setdefault(row.folder, []).append(row)
+    yield from map(_package, by_folder.values())
+
+
+def _library(package: str, row: LeftLibrary) -> Finding:
+    return finding(
+        "PKG004",
+        row.place,
+        f"the shared library '{row.name}' is not installed, and '{row.needed_by}' needs it: that does not start",
+        help=f"add install(TARGETS {row.name} DESTINATION lib)",
+        identity=(package, "library", row.name),
+        group=(row.place.file, "library", row.name),
+    )
+
+
+def _package(rows: list[LeftOutPackage]) -> Finding:
+    [first, *others] = rows
+    more = f" and {len(others)} more script{'s' * (len(others) > 1)}" if others else ""
+    imports = "import" if others else "imports"
+    return finding(
+        "PKG004",
+        first.script.place,
+        f"the installed script '{first.script.name}'{more} {imports} '{first.name}', a folder that nothing installs "
+        "where Python looks: the import fails",
+        help=f"find ament_cmake_python, and write ament_python_install_package({first.name})",
+        related=[Related(row.needed_at, f"'{row.name}' is imported here") for row in rows[:_SHOWN]],
+        identity=(first.package, "package", first.name),
+        group=(first.script.place.file, "package", first.name),
+    )
+
+
+__all__ = ["left_out_by_cmake"]

@@ -1,0 +1,85 @@
+"""Python packages that scripts which CMake installs import, and that no command installs.
+
+Source: ``ament_python_install_package`` of ament_cmake_python, or an ``install()`` into ``PYTHON_INSTALL_DIR``, puts a
+folder of the source where Python looks; a script alone has its own folder on the path, ``lib/PACKAGE``.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.packaging.left_out_code import certain_imports, changes_path, has_init
+from archlint.packaging.uninstalled_files import understood
+from archlint.place import Place
+from archlint.ros.python_modules import is_known
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import Executable, Installs
+
+_INSTALLS = frozenset({"ament_python_install_package", "ament_environment_hooks", "PYTHONPATH", "pybind11_add_module"})
+"""Words of files that install Python packages, or may say themselves where Python looks."""
+
+
+@dataclass(frozen=True)
+class LeftOutPackage:
+    """A folder of Python code that an installed script imports by its name."""
+
+    name: str
+    folder: str
+    package: str
+    script: Executable
+    needed_at: Place
+
+
+def packages_of_scripts(workspace: WorkspaceIndex) -> Iterator[LeftOutPackage]:
+    """Each such folder, once for each script."""
+    for package, installs in understood(workspace).items():
+        manifest = workspace.packages.get(package)
+        if manifest is None or manifest.build_type != "ament_cmake" or installs.open_executables:
+            continue
+        if not _INSTALLS.isdisjoint(installs.words):
+            continue
+        for script in installs.executables.values():
+            if script.script is not None and not script.wrong:
+                yield from _left_out(workspace, installs, script, script.script)
+
+
+def _left_out(workspace: WorkspaceIndex, installs: Installs, script: Executable, path: str) -> Iterator[LeftOutPackage]:
+    code = workspace.facts_at(path)
+    if code is None or changes_path(workspace, path):
+        return
+    told: set[str] = set()
+    for statement in certain_imports(code.body):
+        level = statement.level if isinstance(statement, facts.ImportFrom) else 0
+        top = statement.module.partition(".")[0]
+        if level or top in told or not _is_own(workspace, installs, statement):
+            continue
+        told.add(top)
+        folder = posixpath.normpath(posixpath.join(installs.folder, top))
+        yield LeftOutPackage(top, folder, installs.package, script, Place(path, *statement.span))
+
+
+def _is_own(workspace: WorkspaceIndex, installs: Installs, statement: facts.Import | facts.ImportFrom) -> bool:
+    """Whether an import means a folder of the package that nothing else is called like, and that nothing installs."""
+    top, *inside = statement.module.split(".")
+    folder = posixpath.normpath(posixpath.join(installs.folder, top))
+    if not workspace.code.modules.get(top, frozenset()) <= {installs.package}:
+        return False
+    if not has_init(workspace, folder) or top in sys.stdlib_module_names or is_known(top):
+        return False
+    names = [inside] if inside else []
+    if isinstance(statement, facts.ImportFrom):
+        names += [[*inside, name] for name, _ in statement.names]
+    files = [posixpath.join(folder, *parts[:-1], f"{parts[-1]}.py") for parts in names]
+    files = [file for file in files if workspace.tree.is_file(file)] or [posixpath.join(folder, "__init__.py")]
+    below = "" if installs.folder == "." else f"{installs.folder}/"
+    return not any(any(installs.places_of(file)) or installs.may_install(file.removeprefix(below)) for file in files)
+
+
+__all__ = ["LeftOutPackage", "packages_of_scripts"]
