@@ -9,6 +9,7 @@ from robot_package import CMAKE, TALKER_OF_CPP
 SOURCE = """\
 #include <rclcpp/rclcpp.hpp>
 
+using namespace std::chrono_literals;
 using std::placeholders::_1;
 using std::placeholders::_2;
 using Twist = geometry_msgs::msg::Twist;
@@ -128,6 +129,38 @@ TWIST = "geometry_msgs::msg::Twist twist; "
             'double rate = get_parameter("rate");',
             "get_parameter() gives an rclcpp::Parameter, and 'rate' is of the type double",
         ),
+        (
+            'std::string text; RCLCPP_INFO(get_logger(), "%s", text);',
+            "RCLCPP_INFO() is given the std::string text as it is",
+        ),
+        (
+            'RCLCPP_INFO_THROTTLE(get_logger(), *get_clock(), 500, "%s", last_.data);',
+            "a logging macro is given the text 'data' of a message as it is",
+        ),
+        (
+            "rclcpp::Client<std_srvs::srv::Trigger>::SharedPtr client; "
+            "auto answer = client->async_send_request(request); use(answer.get()->sucess);",
+            "std_srvs::srv::Trigger::Response has no member 'sucess'",
+        ),
+        (
+            "auto f = [](rclcpp::Client<std_srvs::srv::Trigger>::SharedFuture answer) { use(answer.get()->sucess); };",
+            "std_srvs::srv::Trigger::Response has no member 'sucess'",
+        ),
+        (
+            "std::shared_ptr<rclcpp_action::ServerGoalHandle<example_interfaces::action::Fibonacci>> handle; "
+            "use(handle->get_goal()->steps);",
+            "example_interfaces::action::Fibonacci::Goal has no member 'steps'",
+        ),
+        (
+            "rclcpp_action::ClientGoalHandle<example_interfaces::action::Fibonacci>::WrappedResult result; "
+            "use(result.code, result.result->order);",
+            "example_interfaces::action::Fibonacci::Result has no member 'order'",
+        ),
+        (
+            "rclcpp::Publisher<std_msgs::msg::String>::SharePtr publisher;",
+            "rclcpp::Publisher has no 'SharePtr'",
+        ),
+        ("std_msgs::msg::String::SharedPointer text;", "std_msgs::msg::String has no 'SharedPointer'"),
     ],
 )
 def test_in_a_method(refused, line, message):
@@ -240,6 +273,11 @@ def test_spinning_this(refused):
         'double rate = get_parameter("rate").as_double(); bool there = get_parameter("rate", rate);',
         'auto rate = get_parameter("rate"); rclcpp::Parameter other = get_parameter("rate");',
         "rclcpp::spin(shared_from_this()); rclcpp::spin(get_node_base_interface());",
+        'RCLCPP_INFO(get_logger(), "%s %d", last_.data.c_str(), count_);',
+        "rclcpp::Client<std_srvs::srv::Trigger>::SharedPtr client; auto answer = client->async_send_request(request);"
+        " answer.wait(); use(answer.get()->success);",
+        "std_msgs::msg::String::ConstSharedPtr text; std_msgs::msg::String::UniquePtr other;",
+        "rclcpp_action::Client<example_interfaces::action::Fibonacci>::SharedPtr client; use(client->anything);",
     ],
 )
 def test_what_compiles_in_a_method(refused, line):
@@ -356,3 +394,45 @@ def test_a_bridge_has_the_headers_of_ros_1(refused):
     build = TALKER_OF_CPP.replace("add_exe", "include(cmake/find_ros1_package.cmake)\nadd_exe")
     files = {"src/talker.cpp": source, "CMakeLists.txt": build, "cmake/find_ros1_package.cmake": ""}
     assert refused(**files) == []
+
+
+def test_a_node_without_a_name(refused):
+    source = SOURCE.replace(' : Node("talker")', " : last_(), publisher_(nullptr)").format(
+        made="", talked="", heard="", main=SPUN
+    )
+    assert refused(**{"src/talker.cpp": source}) == ["the constructor of 'Talker' gives rclcpp::Node no name"]
+    plain = SOURCE.replace(' : Node("talker")', "").format(made="", talked="", heard="", main=SPUN)
+    assert refused(**{"src/talker.cpp": plain}) == ["the constructor of 'Talker' gives rclcpp::Node no name"]
+
+
+@pytest.mark.parametrize("base", ['rclcpp::Node("a")', "Talker(1)", "Base(1)"])
+def test_a_node_that_gets_its_name(refused, base):
+    source = SOURCE.replace('Node("talker")', base).format(made="", talked="", heard="", main=SPUN)
+    assert refused(**{"src/talker.cpp": source}) == []
+
+
+OPENED = "using namespace std::chrono_literals;\nusing std::placeholders::_1;\nusing std::placeholders::_2;\n"
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("timer_ = create_wall_timer(500ms, [this]() {});", "nothing says what the unit in '500ms' is"),
+        ("run(std::bind(&Talker::listen, this, _1));", "nothing says what '_1' is"),
+    ],
+)
+def test_names_that_nothing_opens(refused, line, message):
+    source = SOURCE.format(made=line, talked="", heard="", main=SPUN)
+    bare = source.replace(OPENED, "")
+    assert refused(**{"src/talker.cpp": bare}) == [message]
+    assert refused(**{"src/talker.cpp": source}) == []
+    assert refused(**{"src/talker.cpp": bare.replace("using Twist", "using namespace std;\nusing Twist")}) in (
+        [],
+        [message],
+    )
+    own = {
+        "src/talker.hpp": f"#include <rclcpp/rclcpp.hpp>\n{OPENED}",
+        "src/talker.cpp": f'#include "talker.hpp"\n{bare}',
+    }
+    assert refused(**own) == []
+    assert refused(**{"src/talker.cpp": f"#include <acme/all.hpp>\n{bare}"}) == []

@@ -11,10 +11,11 @@ from archlint.checks.refused_cpp_words import words_for
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.packaging.opened_names import may_be_opened
 from archlint.packaging.unmade_headers import UnmadeHeader, unmade_headers
 from archlint.place import Place
 from archlint.python_code.cpp_members import RefusedMember, refused_members
-from archlint.python_code.refused_cpp_uses import RefusedUse, refused_uses
+from archlint.python_code.refused_cpp_uses import refused_uses
 from archlint.suggestions import listed, nearest
 
 if TYPE_CHECKING:
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 _OLD = frozenset({"format", "no qos", "callback for qos"})
 """What Foxy, or a distribution before it, took."""
+_OF_OTHERS = {"literal": "literals", "placeholder": "placeholders"}
+"""What a header may bring, by a word that it has then."""
 _SHOWN = 12
 """How many names a help line lists."""
 
@@ -41,8 +44,12 @@ def refused_cpp(system: System, options: Options) -> Iterator[Finding]:
         if row.is_case or not is_older:
             yield _of_header(row)
     for place, use in refused_uses(workspace):
-        if not (is_old and use.kind in _OLD):
-            yield _of_use(place, use)
+        if is_old and use.kind in _OLD:
+            continue
+        word = _OF_OTHERS.get(use.kind)
+        if word is None or not may_be_opened(workspace, place.file, word):
+            message, help = words_for(use)
+            yield _finding(place, message, help, use.kind)
 
 
 def _is_known(workspace: WorkspaceIndex, member: RefusedMember) -> bool:
@@ -76,6 +83,9 @@ def _of_member(workspace: WorkspaceIndex, row: RefusedMember) -> Finding:
         case "format":
             message = f"a logging macro is given the text '{row.name}' of a message for its format"
             help = f'write "%s" in front, and {row.name}.c_str()'
+        case "value":
+            message = f"a logging macro is given the text '{row.name}' of a message as it is"
+            help = f"write {row.name}.c_str(): what fills in a %s is no std::string"
     return _finding(row.place, message, help, f"{row.kind} {row.type}", meant)
 
 
@@ -89,14 +99,6 @@ def _of_header(row: UnmadeHeader) -> Finding:
     message = f"<{row.header}> {what}"
     help = f"write {row.meant}" if row.meant else "include the header of an interface that there is"
     return _finding(row.place, message, help, "header", "" if row.of_ros1 else row.meant)
-
-
-# ------------------------------------------------------------------------------------------------- what is given
-
-
-def _of_use(place: Place, use: RefusedUse) -> Finding:
-    message, help = words_for(use)
-    return _finding(place, message, help, use.kind)
 
 
 def _finding(place: Place, message: str, help: str, kind: str, meant: str = "") -> Finding:

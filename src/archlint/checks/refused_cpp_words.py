@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from archlint.python_code.refused_cpp_uses import RefusalOfCpp, RefusedUse
+    from archlint.python_code.refused_cpp_uses import RefusedUse
 
-_WORDS: Mapping[RefusalOfCpp, tuple[str, str]] = {
+_WORDS: Mapping[str, tuple[str, str]] = {
     "format": ("{name}() is given a std::string for its format", 'write {name}(…, "%s", text.c_str())'),
     "no logger": ("{name}() lacks its first argument, a logger", "write {name}(get_logger(), …)"),
     "no clock": (
@@ -54,6 +54,20 @@ _WORDS: Mapping[RefusalOfCpp, tuple[str, str]] = {
         "what is made for {other} is kept in a pointer for {name}",
         "write the same type at both places",
     ),
+    "value": (
+        "{name}() is given the std::string {other} as it is",
+        "write {other}.c_str(): what fills in a %s is no std::string",
+    ),
+    "pointer name": ("{name} has no '{taken}'", "write {given}"),
+    "no node": (
+        "the constructor of '{name}' gives rclcpp::Node no name",
+        'write {name}() : Node("name")',
+    ),
+    "literal": (
+        "nothing says what the unit in '{other}' is",
+        "write using namespace std::chrono_literals;",
+    ),
+    "placeholder": ("nothing says what '{other}' is", "write std::placeholders::{other}"),
     "dot": ("'{other}' is asked of the pointer '{name}' with a '.'", "write {name}->{other}"),
 }
 _OF_THIS = "write shared_from_this(), outside of the constructor"
@@ -65,13 +79,15 @@ def words_for(use: RefusedUse) -> tuple[str, str]:
     """The message and the help."""
     message, help = _WORDS[use.kind]
     taken, _, given = use.other.partition(" ")
+    if use.kind == "bound arguments":
+        given = "one argument" if given == "1" else f"{given if given != '0' else 'no'} arguments"
     words = {
         "name": use.name,
         "other": use.other,
         "value": _VALUES.get(use.other, "as_int"),
         "wanted": _WANTED.get(use.name, "none"),
         "taken": taken,
-        "given": "one argument" if given == "1" else f"{given if given != '0' else 'no'} arguments",
+        "given": given,
     }
     if use.kind == "no pointer to node" and use.other == "this":
         help = _OF_THIS

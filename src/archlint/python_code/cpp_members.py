@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from archlint.syntax.cpp_uses import Holder, MemberUse, TypedField
     from archlint.systems.model import WorkspaceIndex
 
-WrongMember = Literal["field", "method", "arrow", "dot", "number", "format"]
+WrongMember = Literal["field", "method", "arrow", "dot", "number", "format", "value"]
 
 _CLASSES: dict[str, MessageClass] = {
     "": "",
@@ -102,7 +102,7 @@ def _judged(
 ) -> RefusedMember | None:
     """The first member that is wrong."""
     name, section = "/".join(type_[:3]), _CLASSES.get(type_[3] if len(type_) > 3 else "")
-    if section is None:
+    if section is None or holder == "future":
         return None
     state: Literal["message", "pointer", "list"] = (
         "message" if not holder else "list" if holder == "list" else "pointer"
@@ -133,8 +133,8 @@ def _judged(
             return None
         last = at + 1 == len(use.members)
         if kind.is_primitive:
-            if use.role == "format" and last and not kind.array and kind.name in _TEXTS:
-                return RefusedMember("format", place, own, name, section)
+            if use.role and last and not kind.array and kind.name in _TEXTS:
+                return RefusedMember(use.role, place, own, name, section)
             if last or kind.array or kind.name in _NO_CLASSES:
                 return None
             after, after_span = use.members[at + 1]

@@ -6,10 +6,10 @@ from typing import Literal
 
 from archlint.syntax.expressions import Base, Span
 
-Holder = Literal["", "shared", "unique", "raw", "list"]
-"""What stands around a value: nothing, a pointer, or a container of such values."""
+Holder = Literal["", "shared", "unique", "raw", "list", "future"]
+"""What stands around a value: nothing, a pointer, a container of such values, or a future of a pointer."""
 
-Role = Literal["", "format"]
+Role = Literal["", "format", "value"]
 
 ITEM = "[]"
 """The member that stands for an item of a container."""
@@ -22,7 +22,7 @@ class MemberUse(Base, frozen=True):
 
     ``type`` is that of the variable, ``["nav_msgs", "msg", "Odometry"]``, a service's with ``"Request"`` behind it; of
     a field whose class another file defines it is empty, and ``owner`` and ``field`` are the class and the field.
-    ``role`` says that the value is a format.
+    ``role`` says that the value is a format, or fills one in.
     """
 
     type: list[str]
@@ -62,6 +62,11 @@ RefusalOfCpp = Literal[
     "published type",
     "created type",
     "dot",
+    "value",
+    "pointer name",
+    "no node",
+    "literal",
+    "placeholder",
 ]
 
 

@@ -94,15 +94,7 @@ class KindsOfTypes:
         if node.type == "type_descriptor":
             inner = self.of_type(node.child_by_field_name("type"))
             return inner if node.child_by_field_name("declarator") is None else None
-        if node.type not in (
-            "qualified_identifier",
-            "type_identifier",
-            "template_type",
-            "dependent_type",
-            "identifier",
-        ):
-            return None
-        return self._of_parts(self.parts(node))
+        return self._of_parts(self.parts(node)) if node.type in _TYPES else None
 
     def _of_parts(self, parts: list[Part]) -> Kind | None:
         if not parts:
@@ -116,8 +108,11 @@ class KindsOfTypes:
             inner = self.of_type(parts[1].arguments[0])
             holder = _HOLDERS[names[0], names[1]]
             return None if inner is None or inner.holder else replace(inner, holder=holder)
-        if names[:1] == ("rclcpp",) and len(parts) == 2 and parts[1].arguments:
-            return Kind(names, of=self.path(parts[1].arguments[0]))
+        if names[0] in ("rclcpp", "rclcpp_action") and len(parts) > 1 and parts[1].arguments:
+            of = self.path(parts[1].arguments[0])
+            if names == ("rclcpp", "Client", "SharedFuture"):
+                return Kind((*of, "Response"), "future")
+            return Kind(names, of=of)
         return None if any(part.arguments for part in parts) else Kind(names)
 
 

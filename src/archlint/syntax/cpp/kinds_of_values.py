@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from archlint.syntax.cpp.source import SourceText
 
 _MAKERS: dict[tuple[str, str], Holder] = {("std", "make_shared"): "shared", ("std", "make_unique"): "unique"}
+_WRAPPED = ("rclcpp_action", "ClientGoalHandle", "WrappedResult")
 _OF_ITEMS = frozenset({"at", "front", "back"})
 
 
@@ -129,6 +130,8 @@ class Kinds(KindsOfClasses):
         operator = next((child.type for child in node.children if child.type in (".", "->")), "")
         if kind is None or not operator:
             return None
+        if kind.path == _WRAPPED and not kind.members and self.source.text(name) == "result":
+            return Kind((*kind.of, "Result"), "shared")
         return kind.with_member(operator + self.source.text(name), self.source.span(name))
 
     def _result(self, node: Node) -> Kind | None:
@@ -139,10 +142,7 @@ class Kinds(KindsOfClasses):
             name = function.child_by_field_name("field")
             kind = self.of(function.child_by_field_name("argument"))
             method = "" if name is None else self.source.text(name)
-            if kind is not None and method in _OF_ITEMS:
-                return kind.with_member(ITEM, self.source.span(node))
-            is_pointer = kind is not None and kind.holder in ("shared", "unique") and not kind.members
-            return replace(kind, holder="raw") if kind is not None and method == "get" and is_pointer else None
+            return None if kind is None else self._result_of(kind, method, node)
         if function.type not in ("qualified_identifier", "identifier", "template_function"):
             return None
         parts = self.parts(function)
@@ -158,6 +158,20 @@ class Kinds(KindsOfClasses):
             return Kind(path)
         if len(path) > 1 and path[:-1] in NODES and path[-1] == "make_shared":
             return Kind(path[:-1], "shared")
+        return None
+
+    def _result_of(self, kind: Kind, method: str, node: Node) -> Kind | None:
+        """What a method of a container, a pointer, a client or a goal gives."""
+        if method in _OF_ITEMS:
+            return kind.with_member(ITEM, self.source.span(node))
+        if kind.members or kind.owner:
+            return None
+        if method == "get" and kind.holder in ("shared", "unique", "future"):
+            return replace(kind, holder="shared" if kind.holder == "future" else "raw")
+        if method == "async_send_request" and kind.path == ("rclcpp", "Client"):
+            return Kind((*kind.of, "Response"), "future")
+        if method == "get_goal" and kind.path == ("rclcpp_action", "ServerGoalHandle"):
+            return Kind((*kind.of, "Goal"), "shared")
         return None
 
 

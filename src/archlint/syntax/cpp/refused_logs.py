@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from archlint.syntax.cpp.refusals import Refusals
+from archlint.syntax.cpp.refused_names import RefusedNames
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -21,7 +21,7 @@ _STREAMS = (("std", "stringstream"), ("std", "ostringstream"))
 _GIVES_TEXT = frozenset({("std", "to_string"), _STRING})
 
 
-class RefusedLogs(Refusals):
+class RefusedLogs(RefusedNames):
     """Notes what a logger does not take."""
 
     def _logs(self, name: str, arguments: Sequence[Node]) -> bool:
@@ -51,12 +51,12 @@ class RefusedLogs(Refusals):
             rest = rest[1:]
         if is_stream or not rest:
             return
-        if self._is_string(rest[0]):
-            self._note("format", rest[0], name)
-        else:
-            kind = self._kinds.of(rest[0]) if rest[0].type == "field_expression" else None
-            if kind is not None:
-                self._ask(kind, "format")
+        for at, argument in enumerate(rest):
+            kind = self._kinds.of(argument) if argument.type == "field_expression" else None
+            if self._is_string(argument):
+                self._note("value" if at else "format", argument, name, self._text(argument))
+            elif kind is not None:
+                self._ask(kind, "value" if at else "format")
 
     def _is_string(self, node: Node) -> bool:
         """Whether a value is a ``std::string`` for certain."""

@@ -36,6 +36,7 @@ class RefusedObjects(RefusedEndpoints):
 
     def _bound(self, arguments: Sequence[Node]) -> None:
         """``std::bind`` gives a method of the class around all of its arguments."""
+        self._placed(arguments[1:])
         if len(arguments) < 2 or arguments[1].type != "this":
             return
         rows = self._methods(arguments[0])

@@ -78,12 +78,18 @@ class _Walk:
             self._loop(node, depth)
         elif kind in _DECLARES:
             self._children(node, depth)
-            if self._conditions == 0 and kind == "declaration":
-                self.refused.declaration(node)
+            if self._conditions == 0:
+                self.refused.typed(node)
+                if kind == "declaration":
+                    self.refused.declaration(node)
             self.kinds.declare(node, unknown=self._conditions > 0)
         else:
             if kind == "field_expression":
                 self._asks(node)
+            elif kind == "user_defined_literal" and self._is_judged():
+                self.refused.unit(node)
+            elif kind == "field_declaration" and self._conditions == 0:
+                self.refused.typed(node)
             elif kind == "call_expression" and self._is_judged():
                 self.refused.call(node)
             elif kind == "assignment_expression" and self._is_judged():
@@ -119,6 +125,8 @@ class _Walk:
             self.kinds.owner = _class_of(named, self.source) or self.kinds.owner
             self.kinds.scopes = []
             declarator = named
+            if self._conditions == 0:
+                self.refused.constructor(node, named)
         self.kinds.scopes = [*self.kinds.scopes, {}]
         for capture in plain(node.named_children)[:1] if is_lambda else ():
             for row in capture.named_children:
