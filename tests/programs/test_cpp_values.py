@@ -198,3 +198,41 @@ def test_a_parameter_holds_the_number_of_a_policy(default: str, reliability: str
     [end] = node["publishers"]
     assert end["qos"]["reliability"] == reliability
     assert [(row["name"], row["type"]) for row in node["parameters"]] == [("qos", "integer")]
+
+
+LOOKED_UP = 'std::map<std::string, std::string> all{{"left", "l"}, {"right", "r"}}; std::string side = "left";'
+
+
+@pytest.mark.parametrize(
+    ("statements", "found"),
+    [
+        (f"auto found = all.find(side); if (found != all.end()) {{ {publish('found->second')} }}", ["/l"]),
+        (f'const auto found = all.find("right"); {publish("found->second + found->first")}', ["/rright"]),
+        (f"auto found = all.find(side); found = all.begin(); {publish('found->second')}", ["?"]),
+        (f'auto found = all.find(side); side = "right"; {publish("found->second")}', ["?"]),
+        (f'auto found = side.find("e"); {publish("side.substr(found)")}', ["/eft"]),
+    ],
+)
+def test_what_a_map_has_for_a_key(statements: str, found: list[str]) -> None:
+    assert names(f"{LOOKED_UP} {statements}") == found
+
+
+NAMES = """
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+class Robot : public rclcpp::Node {
+public:
+  Robot() : Node("robot") {
+    names_ = {{"left", "l"}, {"right", "r"}};
+    create_publisher<std_msgs::msg::String>(names_.at("right"), 1);
+    create_publisher<std_msgs::msg::String>(names_["left"], 1);
+  }
+private:
+  std::map<std::string, std::string> names_;
+};
+"""
+
+
+def test_a_field_is_given_the_items_of_a_map() -> None:
+    [node] = graph({"src/robot.cpp": NAMES})["nodes"]
+    assert sorted(end["name"] for end in node["publishers"]) == ["/l", "/r"]

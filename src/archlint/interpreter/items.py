@@ -70,7 +70,8 @@ _TAKEN = "it is in a container from which an item is taken"
 def _get_item(machine: Machine, container: Value, index: Value) -> Value:
     match container:
         case ListValue():
-            return _item_of_list(container.items(machine), index)
+            of_pairs = None if index.text is None else _item_of_pairs(machine, container, index.text)
+            return of_pairs or _item_of_list(container.items(machine), index)
         case DictValue():
             return get_entry(machine, container, index, None)
         case Known(value=str(text)):
@@ -87,6 +88,13 @@ def _get_item(machine: Machine, container: Value, index: Value) -> Value:
         case Unknown():
             return Unknown(container.reason, container.parameter)
     return container.each or Unknown(reason(container, index))
+
+
+def _item_of_pairs(machine: Machine, container: ListValue, key: str) -> Value | None:
+    """What a map of C++ has for a key, where it was given its items as a list: ``names_ = {{"left", "l"}, …}``."""
+    rows = [item.items(machine) for item in container.items(machine).values]
+    pairs = [row.values for row in rows if row is not None and row.size == 2 and not row.open]
+    return next((value for name, value in pairs if name.text == key), None) if len(pairs) == len(rows) else None
 
 
 def _item_of_list(items: Items, index: Value) -> Value:

@@ -43,7 +43,9 @@ class DeclarationLowering(CallLowering):
             if variable.is_extern and variable.value is None and not self.names.scopes:
                 self._declare(variable, body)
                 continue
+            self.names.forget_found(variable.name)
             value = self._initial(variable, kind)
+            self._note_found(variable)
             if variable.bound:
                 for name in variable.bound:
                     self.names.declare(name)
@@ -119,6 +121,15 @@ class DeclarationLowering(CallLowering):
         if value.type in ("argument_list", "initializer_list", "parameter_list"):
             return self._braced(variable, parts, kind, value, span)
         return self._copied(self.lower(value), span)
+
+    def _note_found(self, variable: Declared) -> None:
+        """``auto found = names.find(key);``: ``found->second`` is what the map has for the key."""
+        node = variable.value
+        if node is None or node.type != "call_expression" or not self.names.scopes:
+            return
+        looked_up = self.looked_up(node, variable.span)
+        if isinstance(looked_up, facts.Subscript):
+            self.names.scopes[-1].found[variable.name] = looked_up.value, looked_up.index
 
     def _copied(self, value: Expr, span: Span) -> Expr:
         """A value, as a copy where it is a profile of rmw: a variable that holds it may be changed."""

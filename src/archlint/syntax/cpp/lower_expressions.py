@@ -160,7 +160,7 @@ class ExpressionLowering:
 
     def _field(self, node: Node, span: Span) -> Expr:
         field, owner = node.child_by_field_name("field"), node.child_by_field_name("argument")
-        looked_up = None if owner is None or field is None or field.text != b"second" else self._looked_up(owner, span)
+        looked_up = None if owner is None or field is None or field.text != b"second" else self.looked_up(owner, span)
         if looked_up is not None:
             return looked_up
         value = self.lower_field(node, "argument")
@@ -169,9 +169,12 @@ class ExpressionLowering:
         name = self.names.parts(field)[-1].name
         if isinstance(value, facts.Name) and name in _OF_PAIR and self.names.is_pair(value.id):
             return facts.Subscript(value, facts.Literal(_OF_PAIR[name], span), span)
+        found = self.names.found_in(value.id) if isinstance(value, facts.Name) and name in _OF_PAIR else None
+        if found is not None:
+            return facts.Subscript(*found, span) if name == "second" else found[1]
         return facts.Attribute(value, name, span)
 
-    def _looked_up(self, node: Node, span: Span) -> Expr | None:
+    def looked_up(self, node: Node, span: Span) -> Expr | None:
         """``names.find(key)->second`` is what the map has for the key."""
         called, listed = node.child_by_field_name("function"), node.child_by_field_name("arguments")
         if called is None or listed is None or called.type != "field_expression" or listed.named_child_count != 1:
@@ -252,6 +255,7 @@ class ExpressionLowering:
         """A variable is assigned by the function that is being lowered."""
         if isinstance(target, facts.Name) and self.names.scopes:
             self.names.scopes[-1].assigned.add(target.id)
+            self.names.forget_found(target.id)
 
     def _list(self, node: Node, span: Span) -> Expr:
         return facts.Sequence("list", self.lower_all(node.named_children), span)
