@@ -9,7 +9,7 @@ import posixpath
 import re
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once
+from archlint.analysis.kept import kept, once
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, main_guard
@@ -249,7 +249,11 @@ def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
 
 def is_named_by_launch(workspace: WorkspaceIndex, stem: str) -> bool:
     """Whether a launch file has a word for ``stem.py``, as a file or as a module."""
-    return _mentions_file(_launch_texts(workspace), stem)
+    return kept(
+        workspace,
+        (is_named_by_launch, stem),
+        lambda: any(_mentions_file(text, stem) for text in _launch_texts(workspace)),
+    )
 
 
 def _is_built(workspace: WorkspaceIndex, installs: Installs, stem: str) -> bool:
@@ -266,16 +270,18 @@ def _is_built(workspace: WorkspaceIndex, installs: Installs, stem: str) -> bool:
 
 
 @once
-def _launch_texts(workspace: WorkspaceIndex) -> str:
-    """The texts of all launch files, one below the other, without comments."""
-    return "\n".join(without_comments(workspace.tree.text(path) or "") for path in workspace.launch_files.all())
+def _launch_texts(workspace: WorkspaceIndex) -> list[str]:
+    """The text of each launch file, without comments."""
+    return [without_comments(workspace.tree.text(path) or "") for path in workspace.launch_files.all()]
 
 
 def _mentions_file(text: str, stem: str) -> bool:
-    """Whether ``stem.py``, or a module of that name in a package (``robot.stem``), stands anywhere in a text.  What a
+    """Whether ``stem.py``, or a module of that name in a package (``robot.stem``), stands anywhere in a file.  What a
     launch file imports of launch is another one: ``launch.actions``."""
+    if f"{stem}.py" not in text and f".{stem}" not in text:  # as of most files: to look for a pattern takes long
+        return False
     name, own = re.escape(stem), rf"\w(?<!\blaunch)(?<!\blaunch_ros)\.{re.escape(stem)}(?![\w(])"
-    return stem in text and re.search(rf"(?<!\w){name}\.py(?!\w)|{own}", text) is not None
+    return re.search(rf"(?<!\w){name}\.py(?!\w)|{own}", text) is not None
 
 
 __all__ = [

@@ -91,21 +91,27 @@ def _method(
 def _own_methods(system: System, function: facts.Function, callback: Callback) -> Iterator[Waiting]:
     """The methods with loops that a callback of a node calls on it, be it through others of its methods."""
     methods = {} if callback.node is None else _methods_of(system, callback.node)
-    if (callback.file, function) not in methods.values():
+    if methods.get(function.name) != (callback.file, function):
         return
     seen, waiting = {function.name}, [function]
     while waiting:
-        caller = waiting.pop()
-        if not caller.params or caller.decorators:
-            continue
-        for call in calls_in(caller.body):
-            name = call.func.attribute
-            if name in methods and name not in seen and call.func.dotted == f"{caller.params[0].name}.{name}":
+        for name in _called_on_itself(waiting.pop()):
+            if name in methods and name not in seen:
                 seen.add(name)
                 file, method = methods[name]
                 waiting.append(method)
                 if parts_of(method.body, facts.While):
                     yield from _method(method, file, callback.node, callback)
+
+
+@once_for
+def _called_on_itself(method: facts.Function) -> tuple[str, ...]:
+    """The methods that a method calls on its object, in the order of the source."""
+    if not method.params or method.decorators:
+        return ()
+    own = method.params[0].name
+    called = ((call.func.attribute, call.func.dotted) for call in calls_in(method.body))
+    return tuple(dict.fromkeys(name for name, dotted in called if name and dotted == f"{own}.{name}"))
 
 
 def _methods_of(system: System, node: Blueprint) -> dict[str, tuple[str, facts.Function]]:

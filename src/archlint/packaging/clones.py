@@ -7,8 +7,10 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Set
+from functools import partial
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import kept
 from archlint.ros.packages import released_names, table
 from archlint.workspace.folders import folders_above
 
@@ -61,10 +63,14 @@ def repositories_around(workspace: WorkspaceIndex, folder: str) -> Iterator[str]
     """The folders around a package, its own first, that look like the root of a repository and hold only a part of the
     packages."""
     for around in _parts_around(workspace, folder):
-        files = (posixpath.join(around, name) for name in _FILES)
-        folders = (posixpath.join(around, name) for name in _FOLDERS)
-        if any(map(workspace.tree.is_file, files)) or any(map(workspace.tree.is_folder, folders)):
+        if kept(workspace, (_is_like_a_root, around), partial(_is_like_a_root, workspace, around)):
             yield around
+
+
+def _is_like_a_root(workspace: WorkspaceIndex, folder: str) -> bool:
+    files = (posixpath.join(folder, name) for name in _FILES)
+    folders = (posixpath.join(folder, name) for name in _FOLDERS)
+    return any(map(workspace.tree.is_file, files)) or any(map(workspace.tree.is_folder, folders))
 
 
 def _parts_around(workspace: WorkspaceIndex, folder: str) -> Iterator[str]:
@@ -83,7 +89,7 @@ def clone_around(workspace: WorkspaceIndex, folder: str) -> str | None:
     names = {_plain(workspace.manifests[folder].name)}
     for around in _parts_around(workspace, folder):
         own = names | {_plain(_BRANCH.sub("", posixpath.basename(around)))}
-        if not own.isdisjoint(_cloned_by(workspace, around)):
+        if not own.isdisjoint(kept(workspace, (_cloned_by, around), partial(_cloned_by, workspace, around))):
             return around
     return None
 

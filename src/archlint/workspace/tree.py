@@ -196,8 +196,9 @@ class SourceTree:
         return repository.has_elsewhere(str(real))
 
     def _kind(self, path: str) -> str | None:
-        kind = self._kind_now(path)
-        self._note(("kind", path), kind)
+        question = "kind", path
+        kind = self.asked[question] if question in self.asked else self._kind_now(path)  # the first answer holds
+        self._note(question, kind)
         return kind
 
     def _kind_now(self, path: str) -> str | None:
