@@ -21,6 +21,7 @@ from archlint.interpreter.machine import Machine
 from archlint.launch.launches import Launches
 from archlint.programs.follower import Follower
 from archlint.programs.keys import EntryKey, ProgramKey
+from archlint.workspace import words
 
 FILES = {
     "interfaces/package.xml": """\
@@ -693,6 +694,19 @@ def test_launches_are_known_to_another_process(workspace):
         launched.append(done.stderr)
     assert len(launched[0].split()) > 2
     assert [said.split() for said in launched[1:]] == [["robot/launch/words.launch.py"]] * 3
+
+
+def test_a_file_that_is_as_it_was_is_not_read_for_its_words(workspace, monkeypatch):
+    printed_by("--cache-dir", "../cache")
+    read: list[str] = []
+    split = words._split
+    monkeypatch.setattr(words, "_split", lambda path, text: [read.append(path), split(path, text)][1])
+    replaced("robot/robot/talker.py", "0.1", "0.2")(workspace)
+    printed = printed_by("--cache-dir", "../cache")
+    assert "robot/robot/talker.py" in read
+    assert "robot/robot/listener.py" not in read
+    assert printed == printed_by("--no-cache")
+    assert "robot/robot/listener.py" in read
 
 
 def test_a_comment_at_the_end_is_no_reason_to_judge_again(workspace, outputs, monkeypatch):

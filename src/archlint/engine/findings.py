@@ -22,6 +22,7 @@ from archlint.engine.half_ported import as_information, half_ported, with_reason
 from archlint.engine.inputs import Inputs, is_input, is_of_package, known_files, parts_of, python_files
 from archlint.engine.judging import judge_alternatives
 from archlint.engine.kept_summaries import keep_summaries, kept_summaries
+from archlint.engine.kept_words import kept_words
 from archlint.engine.known import Sieve
 from archlint.engine.languages import for_their_languages
 from archlint.engine.launched_code import launched_files
@@ -68,6 +69,7 @@ def judged_in_parts(
     there is nothing to do for one of them; ``loaded`` all systems of each."""
     request = inputs.request
     inputs = replace(inputs, summaries=kept_summaries(inputs, facts))
+    words = kept_words(inputs, facts)
     sieve = Sieve(request.baseline, request.before)
     ran: list[frozenset[str]] = []
     judged: list[Judged] = []
@@ -91,6 +93,8 @@ def judged_in_parts(
         shown.extend(systems)
     if facts.lasting:
         keep_summaries(inputs.summaries, inputs)
+        if words is not None:
+            words.keep()
     joined = _without_repeats(judged[0] if len(parts) == 1 else _joined(judged, inputs), inputs)
     if request.occurrences:
         joined = replace(joined, occurrences=sieve.occurrences)

@@ -28,8 +28,8 @@ KEPT_DAYS = 30
 """How long an entry that no run asks for is kept."""
 KEPT_RUNS = 100
 """How many results of runs are kept, each with a record of what it depends on."""
-KEPT_OF_WORKSPACES = 30
-"""How many entries of workspaces are kept: each has one of programs, one of launches and one of summaries."""
+KEPT_OF_WORKSPACES = 40
+"""How many entries of workspaces are kept: each has one of programs, launches, summaries and words."""
 KEPT_ANSWERS = 50
 """How many answers to whole commands are kept."""
 

@@ -7,7 +7,7 @@ read.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 
 WORD = re.compile(r"\w+")
 
@@ -26,11 +26,21 @@ class Words:
         self.split: Callable[[str, str], frozenset[str]] = _split
         """Gives the words of a file, by its path and its text."""
 
+        self.known: Callable[[str], Iterable[str] | None] = _unknown
+        """Gives the words of a file that need not be read for them; None for any other."""
+
+    @property
+    def read(self) -> Collection[str]:
+        """The files whose words anybody has asked for."""
+        return self._words.keys()
+
     def of(self, path: str) -> frozenset[str]:
         """The words of a file; none where it cannot be read."""
         words = self._words.get(path)
         if words is None:
-            words = self._words[path] = self.split(path, self._text_of(path) or "")
+            known = self.known(path)
+            words = self.split(path, self._text_of(path) or "") if known is None else frozenset(known)
+            self._words[path] = words
         return words
 
     def stand_in(self, path: str, word: str) -> bool:
@@ -42,6 +52,10 @@ class Words:
         """These are the files of a workspace that a word occurs in; several may stand side by side."""
         self.asked_of_all.setdefault(word, set()).update(files)
         return files
+
+
+def _unknown(path: str) -> None:
+    return None
 
 
 def _split(path: str, text: str) -> frozenset[str]:
