@@ -36,6 +36,11 @@ def test_a_name_with_a_hole_may_be_many():
     assert not wheel.may_be("left_wheels")
 
 
+def test_a_name_of_many_holes_may_be_anything():
+    (name,) = read_description(f"<joint name='{'${a}b' * 50}'/>").names
+    assert name.may_be("b" * 40 + "c")
+
+
 def test_what_is_no_description_has_nothing():
     for text in ("", "<robot", "<joint name=>", "<" * 10_000, "plain text <joint"):
         assert read_description(text).names == ()

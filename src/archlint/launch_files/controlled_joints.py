@@ -99,13 +99,13 @@ def _joints_of(section: ParameterSection) -> tuple[str, ...]:
 def _unknown_joints(
     workspace: WorkspaceIndex, file: str, controller: str, section: ParameterSection
 ) -> Iterator[UnknownJoint]:
-    descriptions = _descriptions(workspace)
+    literals, from_xacro = _literals(workspace), _made_names(workspace)
     for entry in section.entries:
         if entry.name not in _JOINTS:
             continue
         for name in _texts(entry.value):
-            if not any(row.may_be(name) for description in descriptions for row in description.names):
-                meant = _meant(name, _literals(workspace))
+            if name not in literals and not any(row.may_be(name) for row in from_xacro):
+                meant = _meant(name, literals)
                 if meant is not None:
                     yield UnknownJoint(Place(file, *entry.span), controller, entry.name, name, meant)
 
@@ -133,6 +133,13 @@ def _descriptions(workspace: WorkspaceIndex) -> list[RobotDescription]:
 def _literals(workspace: WorkspaceIndex) -> list[str]:
     rows = (row for description in _descriptions(workspace) for row in description.names if row.is_literal)
     return sorted({row.name for row in rows})
+
+
+@once
+def _made_names(workspace: WorkspaceIndex) -> list[Named]:
+    """The names that xacro makes, each once."""
+    rows = (row for description in _descriptions(workspace) for row in description.names if not row.is_literal)
+    return list(dict.fromkeys(rows))
 
 
 # ------------------------------------------------------------------------------------------------- values for joints

@@ -7,10 +7,11 @@ has to give it to anybody, as those of Nav2 that are included may.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.analysis.pinned import is_from_before_galactic
 from archlint.finding import Place
 from archlint.launch.named_files import Rewriting
@@ -47,7 +48,7 @@ def mistyped_values(workspace: WorkspaceIndex) -> Iterator[Mistyped]:
     for file, facts in parameter_files(workspace):
         if _OLDER.search(file):
             continue
-        set_elsewhere = _rewritten(workspace, file)
+        set_elsewhere = _rewritten(workspace).get(file, ())
         for entry, rest, owner in _owned(facts):
             wanted, given = _wanted(owner, rest, packages), type_of(entry.value)
             if wanted is None or given is None or given == wanted or not _is_plain(entry.value):
@@ -118,18 +119,17 @@ def _is_plain(value: object) -> bool:
     return not isinstance(value, str) or _NUMBER_OR_TRUTH.fullmatch(value) is not None
 
 
-def _rewritten(workspace: WorkspaceIndex, file: str) -> set[str]:
-    """The names of which a launch file sets the values anew before a node reads the file."""
-    return {
-        name
-        for launched in workspace.launched
-        for started in launched.started
-        for use in files_among(started.parameters)
-        if use.reference.source == file
-        for change in use.changes
-        if isinstance(change, Rewriting)
-        for name, _ in change.parameters
-    }
+@once
+def _rewritten(workspace: WorkspaceIndex) -> Mapping[str | None, set[str]]:
+    """The names of which a launch file sets the values anew before a node reads a file, by the files."""
+    names: dict[str | None, set[str]] = {}
+    for launched in workspace.launched:
+        for started in launched.started:
+            for use in files_among(started.parameters):
+                for change in use.changes:
+                    if isinstance(change, Rewriting):
+                        names.setdefault(use.reference.source, set()).update(name for name, _ in change.parameters)
+    return names
 
 
 __all__ = ["Mistyped", "controllers_of", "mistyped_values"]

@@ -8,14 +8,23 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from archlint.workspace.comments import replace_xml_comments
 
 _TAG = re.compile(r"<(/?)([A-Za-z][\w:.-]*)((?:\s+[\w:.-]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*)\s*(/?)>")
 _NAME = re.compile(r"(?<![\w:.-])name\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _HOLE = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
+_MOST_PARTS = 5
 _COMPONENTS = ("joint", "gpio", "sensor")
 _SYSTEM = "ros2_control"
+
+
+@lru_cache(maxsize=10_000)
+def _pattern(name: str) -> re.Pattern[str]:
+    """What a name with holes may be; anything where it is little more than holes."""
+    parts = _HOLE.split(name)
+    return re.compile(".*" if len(parts) > _MOST_PARTS else ".*".join(re.escape(part) for part in parts))
 
 
 @dataclass(frozen=True)
@@ -29,8 +38,7 @@ class Named:
         return _HOLE.search(self.name) is None
 
     def may_be(self, name: str) -> bool:
-        parts = [re.escape(part) for part in _HOLE.split(self.name)]
-        return re.fullmatch(".*".join(parts), name) is not None
+        return name == self.name or (not self.is_literal and _pattern(self.name).fullmatch(name) is not None)
 
 
 @dataclass(frozen=True)
