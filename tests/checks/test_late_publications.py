@@ -84,7 +84,7 @@ def test_a_message_after_ctrl_c(judge: Judge, lines: tuple[str, ...]):
 
 def test_a_message_after_the_shutdown(judge: Judge):
     (finding,) = judge("EXE016", program("rclpy.spin_once(node)", "rclpy.shutdown()", "node.stop()  # here"))
-    told = "here stop() publishes, which raises RCLError, and the message is not sent: rclpy is shut down further up"
+    told = "here stop() publishes, which raises an error, and the message is not sent: rclpy is shut down further up"
     assert finding.message == told
     assert [place.message for place in finding.related] == ["stop() publishes here"]
 

@@ -15,7 +15,9 @@ import time
 import rclpy
 import rclpy.action
 import rclpy.executors
+import rclpy.time
 from geometry_msgs.msg import PoseStamped, PoseWithCovariance, Twist
+from nav_msgs.msg import Path
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSProfile
@@ -64,5 +66,5 @@ def raised(code: str) -> str:
 
 if __name__ == "__main__":
     assert threading and Parameter and QoSProfile and PoseStamped and PoseWithCovariance and Twist
-    assert Int32 and String and SetBool and Trigger and Fibonacci
+    assert Int32 and Path and String and SetBool and Trigger and Fibonacci
     main()

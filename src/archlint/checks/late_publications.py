@@ -23,12 +23,12 @@ def late_publication(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _finding(row: LatePublication) -> Finding:
-    what = f"{row.method}() publishes, which raises RCLError" if row.method else "this raises RCLError"
-    when, why = "here", "rclpy is shut down further up"
+    error, when, why = "an error", "here", "rclpy is shut down further up"
     cure = "publish it before the shutdown"
     if row.after_interrupt:
-        when, why = "after Ctrl-C", "rclpy's own handler of the signal has shut it down before"
+        error, when, why = "RCLError", "after Ctrl-C", "rclpy's own handler of the signal has shut it down before"
         cure = "start with rclpy.init(signal_handler_options=SignalHandlerOptions.NO): rclpy then runs on after Ctrl-C"
+    what = f"{row.method}() publishes, which raises {error}" if row.method else f"this raises {error}"
     return finding(
         "EXE016",
         row.place,

@@ -2,8 +2,8 @@
 
 Source: ``rclpy.init()`` installs a handler that shuts down every context at SIGINT and SIGTERM, before the spin of the
 main thread ends with KeyboardInterrupt.  ``Publisher.publish()`` raises RCLError then: "publisher's context is
-invalid".  Tried with rclpy of jazzy: always behind ``rclpy.spin()`` and the ``spin()`` of an executor, and at times
-behind ``spin_once()``, which is left out here.
+invalid".  Tried with rclpy of jazzy and kilted: always behind ``rclpy.spin()`` and the ``spin()`` of an executor, and
+at times behind ``spin_once()``, which is left out here.
 """
 
 from __future__ import annotations
