@@ -160,3 +160,19 @@ def test_a_pointer_of_a_function_holds_what_it_is_given_anew() -> None:
 def test_a_timer_that_is_started_anew_is_the_same() -> None:
     made = 'auto timer = create_wall_timer(1s, [] {}); timer->reset(); topic_ = "map";'
     assert of_field(made) == ["/map"]
+
+
+@pytest.mark.parametrize(
+    ("loop", "found"),
+    [
+        ('for (auto & name : all) { name = "arm/" + name; }', ["/arm/a", "/arm/b"]),
+        ('for (std::string & name : all) { name += "/raw"; }', ["/a/raw", "/b/raw"]),
+        ('for (auto & name : all) { name.insert(0, "arm/"); }', ["?"]),
+        ('for (auto & name : all) { if (name == "a") continue; name = "arm/" + name; }', ["?"]),
+        ('for (auto name : all) { name = "arm/" + name; }', ["/a", "/b"]),
+        ("for (const auto & name : all) { if (name == other) { use(name); } }", ["/a", "/b"]),
+    ],
+)
+def test_a_loop_changes_the_items_that_it_goes_through(loop: str, found: list[str]) -> None:
+    made = f'std::vector<std::string> all{{"a", "b"}}; std::string other; {loop}'
+    assert names(f"{made} for (const auto & name : all) {{ create_publisher<{STRING}>(name, 1); }}") == found

@@ -310,7 +310,8 @@ class StatementLowering(TextLowering):
                 if self._is_pair(variable.name, node.child_by_field_name("body")):
                     iterable = self._pairs_of(iterable, span)
         inner = self._block_of(node.child_by_field_name("body"))
-        body.append(facts.For(target, iterable, inner, [], False, span))
+        before, after = self.items_written(node, target, iterable, inner, span)
+        body += [*before, facts.For(target, iterable, inner, [], False, span), *after]
 
     def _is_pair(self, name: str, body: Node | None) -> bool:
         """Whether a loop takes the two parts of what its variable holds."""

@@ -85,6 +85,29 @@ class TextLowering(DeclarationLowering):
         if is_target(target):
             body.append(facts.Assign([target], facts.Opaque("what is read from a stream", span), span))
 
+    def items_written(
+        self, loop: Node, item: facts.Expr, container: facts.Expr, inner: list[Stmt], span: Span
+    ) -> tuple[list[Stmt], list[Stmt]]:
+        """What stands before and behind a loop that changes the items which it goes through:
+        ``for (auto & name : names) { name = prefix + name; }``."""
+        block, declarator = loop.child_by_field_name("body"), loop.child_by_field_name("declarator")
+        is_reference = declarator is not None and declarator.type == "reference_declarator"
+        if block is None or not is_reference or not isinstance(item, facts.Name) or not is_target(container):
+            return [], []
+        written, name = self.source.text(block), re.escape(item.id)
+        if re.search(rf"(?<![\w.>]){name}(?:\s*\+?=(?!=)|\.(?:append|insert|replace)\()", written) is None:
+            return [], []
+        self.note_assigned(container)
+        if re.search(r"\b(?:continue|break|return|throw)\b", written):
+            return [], [facts.Assign([container], facts.Opaque("items that a loop changes", span), span)]
+        changed = facts.Name(f"changed_{span[0]}_{span[1]}", span)
+        self.names.declare(changed.id)
+        added = facts.Call(facts.Attribute(changed, "append", span), given([item]), span)
+        inner.append(facts.Expression(added, span))
+        return [facts.Assign([changed], facts.Sequence("list", [], span), span)], [
+            facts.Assign([container], changed, span)
+        ]
+
     def _method_called(self, node: Node) -> tuple[str, str]:
         """What a method is called of and its name, as they are written; two empty texts for anything else."""
         called = node.child_by_field_name("function") if node.type == "call_expression" else None
