@@ -157,6 +157,12 @@ def test_what_colcon_built_elsewhere_is_known_by_its_traces(tmp_path, trace):
     assert found(tmp_path) == ["pkg/node.py"]
 
 
+@pytest.mark.parametrize("trace", [".catkin", "setup.bash"])
+def test_what_catkin_built_is_left_out(tmp_path, trace):
+    plant(tmp_path, {f"devel/{trace}": "", "devel/lib/pkg/node.py": "", "src/devel/node.py": ""})
+    assert found(tmp_path) == ["src/devel/node.py"]
+
+
 def test_copies_that_setuptools_makes_are_left_out(tmp_path):
     plant(tmp_path, {"pkg/setup.py": "", "pkg/build/lib/pkg/node.py": "", "pkg/pkg/node.py": ""})
     assert found(tmp_path) == ["pkg/pkg/node.py", "pkg/setup.py"]

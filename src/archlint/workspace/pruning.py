@@ -35,6 +35,8 @@ def is_pruned_by_content(name: str, names: Set[str], siblings: Set[str]) -> bool
     """
     if not names.isdisjoint(MARKERS) or "pyvenv.cfg" in names:
         return True
+    if name == "devel":  # catkin's, which links to the folders that its user has
+        return not names.isdisjoint(_COLCON_TRACES | {".catkin"}) and names.isdisjoint(_SOURCE_TRACES)
     return name in COLCON_FOLDERS and _is_build_output(name, names, siblings)
 
 
