@@ -118,13 +118,17 @@ def test_another_workspace_is_judged_in_between(tmp_path: Path, monkeypatch: pyt
 
 
 PURE = {
+    "checks/near_misses.py": {"_names_of_ros"},
     "checks/registry.py": {"_defined"},
     "engine/own_code.py": {"own_code"},
     "engine/remote.py": {"identity"},
     "libraries/api_signatures.py": {"_table"},
     "libraries/module_names.py": {"_table"},
+    "ros/bridged_types.py": {"pairs"},
     "ros/external_nodes.py": {"well_known"},
-    "packaging/mistaken_imports.py": {"_by_shortened"},
+    "ros/launch_arguments.py": {"well_known"},
+    "ros/plugin_parameters.py": {"well_known"},
+    "packaging/mistaken_imports.py": {"_by_length"},
     "ros/packages.py": {"released_names", "table"},
     "ros/python_modules.py": {"names"},
     "ros/rosdep.py": {"_on_ubuntu", "keys"},
