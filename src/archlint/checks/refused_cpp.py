@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.pinned import is_for_older_ros, is_from_before_galactic, is_on_focal
 from archlint.checks.folding import folds, with_others
-from archlint.checks.refused_cpp_words import words_for
+from archlint.checks.refused_cpp_words import NO_ERROR, words_for
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
@@ -103,10 +103,13 @@ def _of_header(row: UnmadeHeader) -> Finding:
 
 def _finding(place: Place, message: str, help: str, kind: str, meant: str = "") -> Finding:
     hint = f"; did you mean '{meant}'?" if meant else ""
+    outcome = (
+        "GCC passes its address, and garbage is logged" if kind.split()[0] in NO_ERROR else "this does not compile"
+    )
     return finding(
         "API007",
         place,
-        f"{message}: this does not compile{hint}",
+        f"{message}: {outcome}{hint}",
         help=help,
         identity=(message,),
         group=(place.file, kind),

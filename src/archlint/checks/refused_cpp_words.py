@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from archlint.python_code.refused_cpp_uses import RefusedUse
+    from archlint.python_code.refused_cpp_uses import RefusalOfCpp, RefusedUse
 
-_WORDS: Mapping[str, tuple[str, str]] = {
+_WORDS: Mapping[RefusalOfCpp, tuple[str, str]] = {
     "format": ("{name}() is given a std::string for its format", 'write {name}(…, "%s", text.c_str())'),
     "no logger": ("{name}() lacks its first argument, a logger", "write {name}(get_logger(), …)"),
     "no clock": (
@@ -75,6 +75,10 @@ _VALUES = {"double": "as_double", "float": "as_double", "bool": "as_bool", "std:
 _WANTED = {"create_subscription": "one: the message", "create_service": "two: request and response"}
 
 
+NO_ERROR = frozenset({"value"})
+"""What a compiler may take, and make nonsense of."""
+
+
 def words_for(use: RefusedUse) -> tuple[str, str]:
     """The message and the help."""
     message, help = _WORDS[use.kind]
@@ -94,4 +98,4 @@ def words_for(use: RefusedUse) -> tuple[str, str]:
     return message.format(**words), help.format(**words)
 
 
-__all__ = ["words_for"]
+__all__ = ["NO_ERROR", "words_for"]

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _DIRECTIVE = re.compile(r"\s*#\s*(\w+)\s*(.*)")
 _HEADER = re.compile(r"[<\"]([\w.+/-]+)[\">]")
+_HEADERS = (".h", ".hpp", ".hxx", ".hh")
 _OPENS = frozenset({"if", "ifdef", "ifndef"})
 _NOT_BUILT = frozenset({"test", "tests", "doc", "docs", "example", "examples", "benchmark", "benchmarks", "templates"})
 
@@ -88,6 +89,13 @@ def is_of_workspace(workspace: WorkspaceIndex, header: str) -> bool:
     return any(f"/{path}".endswith(f"/{header}") for paths in _code(workspace).values() for path in paths)
 
 
+def headers_with(workspace: WorkspaceIndex, word: str) -> list[str]:
+    """The headers of the workspace in which a word stands, or that open all of ``std``."""
+    headers = {path for paths in _code(workspace).values() for path in paths if path.endswith(_HEADERS)}
+    texts = ((path, workspace.tree.text(path) or "") for path in sorted(headers))
+    return [path for path, text in texts if word in text or "using namespace std;" in text]
+
+
 def headers_of(workspace: WorkspaceIndex, package: str, header: str) -> list[str]:
     """The files of a package that an include may mean, by their paths below its folder."""
     folder = workspace.installs[package].folder
@@ -145,4 +153,4 @@ def includes_of(text: str) -> Sequence[tuple[str, int]]:
     return rows
 
 
-__all__ = ["has_header", "headers_of", "includes_of", "is_of_workspace", "packages_of_headers"]
+__all__ = ["has_header", "headers_of", "headers_with", "includes_of", "is_of_workspace", "packages_of_headers"]

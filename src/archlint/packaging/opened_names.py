@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.packaging.cpp_includes import includes_of, is_of_workspace
+from archlint.analysis.kept import kept
+from archlint.packaging.cpp_includes import headers_with, includes_of, is_of_workspace
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -23,18 +24,9 @@ def may_be_opened(workspace: WorkspaceIndex, path: str, word: str) -> bool:
     for header in names:
         top, slash, _ = header.partition("/")
         if is_of_workspace(workspace, header):
-            if _some_header_has(workspace, word):
+            if kept(workspace, (may_be_opened, word), lambda: headers_with(workspace, word)):
                 return True
         elif "." in header and not (slash and (top in _OPEN_NOTHING or top.endswith(_OF_MESSAGES))):
-            return True
-    return False
-
-
-def _some_header_has(workspace: WorkspaceIndex, word: str) -> bool:
-    """Whether a header of the workspace may open the namespace."""
-    for path in workspace.code.cpp_files():
-        text = workspace.tree.text(path) or "" if path.endswith((".h", ".hpp", ".hxx", ".hh")) else ""
-        if word in text or "using namespace std;" in text:
             return True
     return False
 

@@ -68,6 +68,7 @@ def test_a_comma_that_is_missing_among_fields():
         "auto value = decltype(count_)(1);",
         "foreach (auto & item, items) { show(item); }",
         "emit changed(count_);",
+        "every(const Item & item, items)\n      show(item);",
         "for (const auto & item : items)\n      const auto twice = item * 2;",
         "#if FAST\n    count_ = 2;\n#else\n    count_ = 3;\n#endif",
         'auto text = "shutdown():";  // shutdown():',

@@ -23,7 +23,7 @@ _MACRO = re.compile(
 )
 """A name that macros have; those that log are understood."""
 _RARE = re.compile(
-    rb"\b(?:typename|decltype|operator|template|asm|requires|emit|foreach|forever|signals|slots|try|catch|delete|new"
+    rb"\b(?:typename|decltype|operator|template|asm|requires|emit|for_?each|forever|signals|slots|try|catch|delete|new"
     rb"|alignas|alignof|noexcept|static_assert|co_\w+|__\w+|if\s+constexpr|concept|import|export|module|goto|typedef|auto\s*\[)\b"
     rb"|->\s*\*|\.\*|->\s*[A-Za-z_]\w*\s*::|#|@|\\|\$|`|<=>|R\"|\[\[|\?:|&&\s*\]|%:|<:|\bthis\s+auto\b"
 )
@@ -41,6 +41,7 @@ _READ_AS_TYPES = frozenset(
 )
 """Where an expression may have been read as a type, or a macro stands among texts."""
 _HOLDS_STATEMENTS = frozenset({"compound_statement", "case_statement", "field_initializer_list"})
+_LIKE_A_CALL = re.compile(rb"[\w:.>-]+\s*\(.*\)", re.DOTALL)
 _ENDS = b";{}:,("
 """What stands before a statement, or goes on in the next line."""
 
@@ -97,6 +98,9 @@ def _is_plain(node: Node, data: bytes) -> bool:
     first, last = node.start_point[0], node.end_point[0]
     if last > first + 1:
         return False
+    is_call = node.parent == around and _LIKE_A_CALL.fullmatch(data[node.start_byte : node.end_byte]) is not None
+    if is_call and around.type == "compound_statement" and data[node.end_byte :].lstrip()[:1] != b";":
+        return False  # a macro that begins a loop, say
     near = b"\n".join(rows[max(0, first - _LINES) : last + _LINES + 1])
     return not any(pattern.search(part) for pattern in (_MACRO, _RARE) for part in (_code(text), _code(near)))
 
