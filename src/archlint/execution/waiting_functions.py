@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once
+from archlint.analysis.kept import kept, once
 from archlint.analysis.source_code import source_code
 from archlint.execution.blocking import ONE, SAME
 from archlint.execution.callback_roles import runs_in_executor
@@ -90,7 +90,8 @@ def _method(
 
 def _own_methods(system: System, function: facts.Function, callback: Callback) -> Iterator[Waiting]:
     """The methods with loops that a callback of a node calls on it, be it through others of its methods."""
-    methods = {} if callback.node is None else _methods_of(system, callback.node)
+    node = callback.node
+    methods = {} if node is None else kept(system, (_methods_of, node), lambda: _methods_of(system, node))
     if methods.get(function.name) != (callback.file, function):
         return
     seen, waiting = {function.name}, [function]

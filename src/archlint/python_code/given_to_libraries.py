@@ -9,7 +9,7 @@ import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import kept
+from archlint.analysis.kept import kept, kept_for_each_file
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.python_code.class_chains import (
     Chain,
@@ -21,7 +21,7 @@ from archlint.python_code.class_chains import (
 )
 from archlint.ros import packages
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself, everything_in, once_for
+from archlint.syntax.parts import Itself, everything_in
 
 if TYPE_CHECKING:
     from archlint.place import Place
@@ -130,7 +130,7 @@ def _is_of_library(
 ) -> bool:
     """Whether a dotted name is that of a function or class of a library, or of a method of an object that one has
     made."""
-    modules = _modules(workspace.facts_at(file))
+    modules = _imported(workspace, file) or {}
     head, _, rest = called.partition(".")
     if head in modules:
         return _is_library(workspace, file, modules[head])
@@ -145,7 +145,7 @@ def _is_of_library(
     return any(maker in modules and _is_library(workspace, file, modules[maker]) for maker in makers)
 
 
-@once_for
+@kept_for_each_file
 def _imported(file_facts: facts.Facts) -> dict[str, str]:
     """The modules that the names which a file imports are of."""
     modules: dict[str, str] = {}
@@ -156,10 +156,6 @@ def _imported(file_facts: facts.Facts) -> dict[str, str]:
             case facts.ImportFrom(module=module, level=0, names=names):
                 modules.update(dict.fromkeys((bound for _, bound in names), module))
     return modules
-
-
-def _modules(file_facts: facts.Facts | None) -> dict[str, str]:
-    return {} if file_facts is None else _imported(file_facts)
 
 
 def _is_library(workspace: WorkspaceIndex, file: str, module: str) -> bool:
