@@ -8,6 +8,7 @@ from checks.judging import Judge
 
 NODE = """
 import rclpy
+import rclpy.time
 from enum import Enum, IntEnum
 from geometry_msgs.msg import Point, Pose, PoseArray, PoseStamped
 from nav_msgs.msg import Path
@@ -82,6 +83,7 @@ main()
         ("poses.poses.extend([Place() for _ in range(2)])", "not an object of class Place in a list: sending it fails"),
         ("joints.name.append(3)", "takes a list of strings, not the int 3 in a list: sending it fails"),
         ("joints.position.append('0.5')", "takes a list of floats, not the string '0.5' in a list: this line fails"),
+        ("marker.header.stamp = rclpy.time.Time(seconds=1)", "not a Time of rclpy: sending it fails"),
         ("marker.text = self.places[0]", "takes a string, not an object of class Place: sending it fails"),
         ("marker.text = State.IDLE", "takes a string, not a member of an enum: sending it fails"),
         ("marker.type = State.IDLE", "takes an int, not a member of an enum: sending it fails"),

@@ -197,7 +197,9 @@ def _is_like(run: Run, value: Instance, wanted: str) -> bool:
     """Whether an object may have all fields of a message: then it is sent as one, but by humble."""
     assert run.interfaces is not None
     section, cls = run.interfaces.section(wanted, ""), value.own_class
-    if section is None or cls is None:
+    if cls is None:
+        return False  # an object of rclpy's
+    if section is None:
         return True
     return all(run.store.get(value.key, name) or cls.lookup(run, name)[0] for name in (f.name for f in section.fields))
 
