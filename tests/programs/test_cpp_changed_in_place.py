@@ -176,3 +176,44 @@ def test_a_timer_that_is_started_anew_is_the_same() -> None:
 def test_a_loop_changes_the_items_that_it_goes_through(loop: str, found: list[str]) -> None:
     made = f'std::vector<std::string> all{{"a", "b"}}; std::string other; {loop}'
     assert names(f"{made} for (const auto & name : all) {{ create_publisher<{STRING}>(name, 1); }}") == found
+
+
+@pytest.mark.parametrize(
+    ("made", "first", "second"),
+    [
+        ("auto other = qos;", "reliable", "best_effort"),
+        ("rclcpp::QoS other = qos;", "reliable", "best_effort"),
+        ("rclcpp::QoS other(qos);", "reliable", "best_effort"),
+        ("auto & other = qos;", "best_effort", "best_effort"),
+    ],
+)
+def test_a_copy_of_a_profile_is_changed_for_itself(made: str, first: str, second: str) -> None:
+    published = f'create_publisher<{STRING}>("a", qos); create_publisher<{STRING}>("b", other);'
+    [node] = graph_of(f"rclcpp::QoS qos(10); {made} other.best_effort(); {published}")
+    ends = sorted(node["publishers"], key=lambda end: end["name"])
+    assert [end["qos"]["reliability"] for end in ends] == [first, second]
+
+
+CONFIGURED = 'struct Base { int depth = 3; }; struct Config : Base { std::string topic = "scan"; };'
+
+
+@pytest.mark.parametrize(
+    ("made", "name", "depth"),
+    [
+        ('auto other = config; other.topic = "map"; other.depth = 4;', "/scan", 3),
+        ('Config other = config; other.topic = "map"; other.depth = 4;', "/scan", 3),
+        ('auto & other = config; other.topic = "map"; other.depth = 4;', "/map", 4),
+    ],
+)
+def test_a_copy_of_an_object_is_changed_for_itself(made: str, name: str, depth: int) -> None:
+    statements = f"Config config; {made} create_publisher<{STRING}>(config.topic, config.depth);"
+    [node] = graph({"src/robot.cpp": FIELD % (CONFIGURED, statements)})["nodes"]
+    found = {(end["name"], end["qos"]["depth"]) for end in node["publishers"]}
+    assert found == {(name, depth), ("/scan", 1)}  # the latter is that of the field
+
+
+def test_a_pointer_that_is_copied_leads_to_the_same() -> None:
+    made = (
+        'auto config = std::make_shared<Config>(); auto other = config; other->topic = "map"; topic_ = config->topic;'
+    )
+    assert of_field(made, CONFIGURED) == ["/map"]

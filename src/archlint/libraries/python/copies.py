@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 
 
 def _copy(run: Run, site: CallSite) -> Value:
-    return one_of(_copied(run, value) for value in (alternatives(site.args[0]) if site.args else ()))
+    return one_of(copied(run, value) for value in (alternatives(site.args[0]) if site.args else ()))
 
 
-def _copied(run: Run, value: Value) -> Value:
+def copied(run: Run, value: Value) -> Value:
     match value:
         case ListValue():
             items = value.items(run)
@@ -59,3 +59,6 @@ def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
         copy = containers.new_dict(run, entries, contents.open)
     copies[value.key] = copy
     return copy
+
+
+__all__ = ["copied"]

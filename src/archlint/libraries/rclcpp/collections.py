@@ -19,8 +19,12 @@ from archlint.interpreter.values import (
     Member,
     Unknown,
     Value,
+    alternatives,
+    one_of,
 )
-from archlint.syntax.cpp.known_names import DECLARED, FIELDS, ITSELF, PARTS
+from archlint.libraries.python.copies import copied
+from archlint.syntax import facts
+from archlint.syntax.cpp.known_names import COPY, DECLARED, FIELDS, ITSELF, PARTS
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -120,6 +124,34 @@ def _declared(run: Run, site: CallSite) -> Value:
     return declare(run.index, run.store, run.activation.scope, name.text or "", row)
 
 
+def _copy(run: Run, site: CallSite) -> Value:
+    """A copy of an object, which is changed for itself: a profile, a container, or an object of a plain class."""
+    return one_of(_copy_of(run, value) for value in alternatives(site.args[0]))
+
+
+def _copy_of(run: Run, value: Value) -> Value:
+    match value:
+        case ListValue() | DictValue() | Instance(cls=External(path="rclpy.qos.QoSProfile")):
+            return copied(run, value)
+        case Instance(cls=ClassValue() as cls) if not cls.external_bases():
+            copy = Instance(cls, run.store.new_key(), value.place, value.arguments)
+            for name in _fields_of(run, cls):
+                held = run.store.get(value.key, name)
+                if held is not None:
+                    run.store.set(copy.key, name, held)
+            return copy
+    return value
+
+
+def _fields_of(run: Run, cls: ClassValue) -> list[str]:
+    """The fields of a class, those of its bases among them."""
+    given = (run.store.get(base.key, FIELDS) for base in cls.classes)
+    bodies = [one.ir.body for one in given if isinstance(one, FunctionValue) and isinstance(one.ir, facts.Function)]
+    statements = (row for body in bodies for row in body)
+    targets = (target for row in statements if isinstance(row, facts.Assign) for target in row.targets)
+    return list(dict.fromkeys(target.attr for target in targets if isinstance(target, facts.Attribute)))
+
+
 def _itself(run: Run, site: CallSite) -> Value:
     """``itself(object, class)``: whose method ``Class::method()`` is, called in one of an object: a static one has its
     class alone."""
@@ -129,6 +161,7 @@ def _itself(run: Run, site: CallSite) -> Value:
 
 
 PLAIN: dict[str, Plain] = {
+    COPY: _copy,
     DECLARED: _declared,
     ITSELF: _itself,
     PARTS: _parts,

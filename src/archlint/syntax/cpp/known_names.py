@@ -165,6 +165,8 @@ ITSELF = "std.__itself__"
 """The function that gives the object, or the class, whose method is called by the name of its class."""
 SETTLED = "std.__settled__"
 """The function that gives a text that a loop changes: not known where it may not be."""
+COPY = "std.__copy__"
+"""The function that gives a copy of an object that is no pointer."""
 ITEM = "std.__item__"
 """The function that makes what is put into a container that is a field, of what stands in braces."""
 CALLER = "std.__caller__"
@@ -185,6 +187,7 @@ STREAMS = frozenset({"stringstream", "ostringstream"})
 __all__ = [
     "CALLER",
     "CHANGING",
+    "COPY",
     "DECLARED",
     "DURATIONS",
     "FIELD",

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import Declared, declared, is_pointer
 from archlint.syntax.cpp.known_names import (
+    COPY,
     DECLARED,
     INTERFACE_KINDS,
     MAPS,
@@ -120,7 +123,10 @@ class DeclarationLowering(CallLowering):
             return self.default_of(parts, variable, span)
         if value.type in ("argument_list", "initializer_list", "parameter_list"):
             return self._braced(variable, parts, kind, value, span)
-        return self._copied(self.lower(value), span)
+        copied = self._copied(self.lower(value), span)
+        if _is_copy(value, variable, self.source.text):
+            return facts.Call(self.names.library(COPY, span), [facts.Argument(copied)], span)
+        return copied
 
     def _note_found(self, variable: Declared) -> None:
         """``auto found = names.find(key);``: ``found->second`` is what the map has for the key."""
@@ -300,6 +306,22 @@ _DEFAULT_MADE = frozenset(
         *("message_filters.Subscriber", "image_transport.SubscriberFilter"),
     }
 )
+
+
+def _is_copy(value: Node, variable: Declared, text: Callable[[Node], str]) -> bool:
+    """Whether a variable is an object of its own, made as a copy of another, and something is done with it:
+    ``auto latched = qos; latched.transient_local();``.  Of a pointer nothing would be asked with a dot."""
+    around = value.parent
+    if value.type not in ("identifier", "field_expression") or around is None or around.type != "init_declarator":
+        return False
+    declarator = around.child_by_field_name("declarator")
+    if variable.is_pointer or declarator is None or declarator.type != "identifier":
+        return False
+    block = around
+    while block.parent is not None and block.type != "compound_statement":
+        block = block.parent
+    name = re.escape(variable.name)
+    return re.search(rf"(?<![\w.>]){name}\.(?!get\b|reset\b|lock\b|use_count\b)\w", text(block)) is not None
 
 
 def _is_of_ros1(meant: list[str], before: list[str]) -> bool:
