@@ -93,6 +93,18 @@ def test_copies_of_a_remapping_of_a_well_known_node_are_one_finding(findings):
     assert len(findings("LCH002", publisher.format("state") + publisher.format("other"))) == 2
 
 
+def test_what_a_well_known_node_has_is_no_advice_for_the_name_of_another(findings):
+    """The remapping is that of a plugin of the simulation, which stands in the robot's description."""
+    publisher = '<node pkg="robot_state_publisher" exec="robot_state_publisher"><remap from="{}" to="x"/></node>'
+    (found,) = findings("LCH002", publisher.format("/imu_plugin/out"))
+    assert found.help == (
+        "remove it, or move it to the node that has the name; this one has /joint_states, /robot_description, /tf, "
+        "/tf_static"
+    )
+    (near,) = findings("LCH002", publisher.format("joint_state"))
+    assert near.help.startswith("use a full name of the node: ")
+
+
 def test_a_parameter_is_no_name_to_remap(findings):
     (found,) = findings("LCH002", node('<remap from="use_sim_time" to="false"/>'))
     assert found.help == "'use_sim_time' is a parameter: set it with <param>"

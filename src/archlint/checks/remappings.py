@@ -223,8 +223,8 @@ _TOPICS = (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER)
 
 
 def _advice(nodes: Sequence[Node], dead: _Dead, hint: str) -> str:
-    """A name of the node that may be meant; the only one that it has is no advice where it is nothing like it.  Of two
-    names that are nearly alike either may be the slip."""
+    """A name of the node that may be meant; the only one that it has is no advice where it is nothing like it, nor are
+    those of a well-known node.  Of two names that are nearly alike either may be the slip."""
     if dead.expanded == nodes[0].name:
         return "remove it, or rename the node with name=: a remapping is for topics, services and actions"
     own = sorted(name for name in dead.known if "/_action/" not in name)
@@ -232,6 +232,8 @@ def _advice(nodes: Sequence[Node], dead: _Dead, hint: str) -> str:
     is_alike = hint or any(name.endswith(f"/{last}") for name in own)
     if own and not is_alike and not any(end.kind in _TOPICS for node in nodes for end in node.endpoints):
         return f"remove it; the node has no topics, only {listed(own)}"
+    if own and not is_alike and all(node.blueprint is None for node in nodes):
+        return f"remove it, or move it to the node that has the name; this one has {listed(own)}"
     if len(own) > 1 or is_alike:
         return f"use a full name of the node: {listed(own)}" + (", or correct that one" if hint else "")
     return f"remove it; the only name of the node is {own[0]}" if own else "remove it; the node has no names"
