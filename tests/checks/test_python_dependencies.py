@@ -207,6 +207,20 @@ def test_what_the_workspace_says_to_install(judge: Judge, file: str, text: str):
 
 
 @pytest.mark.parametrize(
+    ("readme", "told"),
+    [
+        ("See [how to set it up](docs/setup.md#robot).", 0),
+        ("See `how to set it up <docs/setup.md>`_.", 0),
+        ("See the documents.", 1),  # perhaps of something else
+    ],
+)
+@pytest.mark.parametrize("line", ["pip install pyserial", "source ~/venvs/robot/bin/activate"])
+def test_what_a_document_says_to_install_to_which_the_readme_links(judge: Judge, readme: str, told: int, line: str):
+    files = {"README.md": f"# Robot\n\n{readme}\n", "docs/setup.md": f"Then:\n\n    {line}\n"}
+    assert len(judge("import serial\nserial.Serial()", **files)) == told
+
+
+@pytest.mark.parametrize(
     "text",
     [
         "Talks to a motor by pyserial.\n",

@@ -217,9 +217,27 @@ def _requirements(workspace: WorkspaceIndex) -> list[str]:
         name = posixpath.basename(path)
         if _ASKS.fullmatch(name):
             texts.append(tree.text(path) or "")
-        elif _TELLS.fullmatch(name):
+        elif _TELLS.fullmatch(name) or path in _documents(workspace):
             texts += _INSTALLS.findall((tree.text(path) or "").replace("\\\n", " "))
     return texts
+
+
+@once
+def _documents(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The documents to which a README links: what one says of the set-up is often told there."""
+    tree = workspace.tree
+    linked: set[str] = set()
+    for path in tree.files_below(tree.top):
+        if _README.fullmatch(posixpath.basename(path)):
+            folder = posixpath.dirname(path)
+            links = (match[1] or match[2] for match in _LINK.finditer(tree.text(path) or ""))
+            linked.update(posixpath.normpath(posixpath.join(folder, link)) for link in links)
+    return frozenset(linked)
+
+
+_README = re.compile(r"README(?:\.\w+)?", re.IGNORECASE)
+_LINK = re.compile(r"\]\(\s*<?([\w./ -]+\.(?:md|rst|txt))(?:#[^)]*)?>?\s*\)|<([\w./-]+\.(?:md|rst|txt))>`_")
+"""A link of Markdown or reStructuredText to a document beside or below."""
 
 
 _ASKS = re.compile(
@@ -236,7 +254,9 @@ _INSTALLS = re.compile(r"\b(?:pip3?|conda|mamba|apt|apt-get|uv|poetry)\b[^\n]*\b
 def _is_in_own_environment(workspace: WorkspaceIndex) -> bool:
     """Whether somebody is told to work in a virtual environment, which has what pip installs: not what rosdep does."""
     tree = workspace.tree
-    told = (path for path in tree.files_below(tree.top) if _TELLS.fullmatch(posixpath.basename(path)))
+    linked = _documents(workspace)
+    below = map(posixpath.normpath, tree.files_below(tree.top))
+    told = (path for path in below if path in linked or _TELLS.fullmatch(posixpath.basename(path)))
     return any(_ACTIVATES.search(tree.text(path) or "") for path in told)
 
 
