@@ -9,6 +9,17 @@ from archlint.engine.pipeline import Request, check
 from robot_package import SETUP_OF, manifest, write_files
 
 OLD = "[develop]\nscript-dir=$base/lib/robot\n[install]\ninstall-scripts=$base/lib/robot\n"
+FOXY = """from setuptools import setup
+
+package_name = 'robot'
+setup(
+    name=package_name,
+    version='0.0.0',
+    packages=[package_name],
+    entry_points={'console_scripts': []},
+)
+"""
+"""As ``ros2 pkg create`` of Foxy writes it."""
 
 
 def test_the_old_template(findings):
@@ -73,6 +84,12 @@ def test_underscores_and_other_tools(findings, text):
         ({"bin/start.sh": "source /opt/ros/foxy/setup.bash\n", "README.md": "Now for Humble."}, 1),
         ({"bin/start.sh": "source /opt/ros/humble/setup.bash\n"}, 1),
         ({"Dockerfile.robot": "FROM ros:foxy\n"}, 0),
+        ({"README.md": "For ROS 2 Foxy.\n\n    ROS_DISTRO=<yours>  # humble, galactic or foxy\n"}, 0),
+        ({"README.md": "For ROS 2 Humble.\n\n    ROS_DISTRO=<yours>  # humble, galactic or foxy\n"}, 1),
+        ({"README.md": "    ROS_DISTRO=<yours>  # humble or foxy\n"}, 1),
+        ({"setup.py": FOXY}, 0),
+        ({"setup.py": FOXY, "README.md": "For Humble."}, 1),
+        ({"setup.py": FOXY.replace("[package_name]", "find_packages(exclude=['test'])")}, 1),
     ],
 )
 def test_a_workspace_on_ubuntu_20_04(findings, files, told):

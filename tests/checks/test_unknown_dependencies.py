@@ -102,6 +102,15 @@ def test_what_is_known_to_be_no_package_for_ros_2(judge: Judge, tag: str, help: 
     assert one.help == help
 
 
+def test_a_key_of_python_2_where_rosdep_still_has_packages_of_it(judge: Judge):
+    tag = "<exec_depend>python-numpy</exec_depend>"
+    (one,) = judge(tag)
+    assert one.message.endswith("which Ubuntu has no packages of since 22.04: rosdep stops here")
+    (old,) = judge(tag, **{"README.md": "For ROS 2 Foxy on Ubuntu 20.04."})
+    assert old.message == "'python-numpy' is for Python 2, with which nothing of ROS 2 runs"
+    assert old.help == "write 'python3-numpy' instead"
+
+
 def test_a_name_of_debian_that_rosdep_has_no_rule_for(judge: Judge):
     (one,) = judge("<exec_depend>python3-gripperlib</exec_depend>")
     assert one.message == "'python3-gripperlib' is no key of rosdep, which stops here"

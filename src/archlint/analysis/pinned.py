@@ -84,6 +84,11 @@ def is_on_focal(workspace: WorkspaceIndex) -> bool:
     return _is_among(_named_or_told(workspace), _ON_FOCAL, but_not=_SINCE_HUMBLE)
 
 
+def names_no_distro(workspace: WorkspaceIndex) -> bool:
+    """Whether none of all this names a distribution."""
+    return not _named_or_told(workspace)
+
+
 def ubuntu_releases(workspace: WorkspaceIndex) -> frozenset[str]:
     """The releases of Ubuntu that a workspace may be for, by the same evidence; where it says nothing, the two that
     most robots run."""
@@ -151,7 +156,18 @@ _README = re.compile(r"README(?:\.(?:md|rst|txt))?", re.IGNORECASE)
 def _in_readmes(workspace: WorkspaceIndex) -> frozenset[str]:
     tree = workspace.tree
     readmes = (path for path in tree.files_below(tree.top) if _README.fullmatch(posixpath.basename(path)))
-    return frozenset(match[1].lower() for path in readmes for match in _NAMED.finditer(tree.text(path) or ""))
+    lines = [line for path in readmes for line in (tree.text(path) or "").splitlines()]
+    named = [(frozenset(match[1].lower() for match in _NAMED.finditer(line)), line) for line in lines]
+    certain = frozenset[str]().union(*(names for names, line in named if not _is_a_choice(names, line)))
+    return certain or frozenset[str]().union(*(names for names, _ in named))
+
+
+def _is_a_choice(names: frozenset[str], line: str) -> bool:
+    """Whether a line of a README tells the reader to fill in his own distribution, and which there are."""
+    return len(names) > 1 and _FILLED_IN in line
+
+
+_FILLED_IN = "ROS_DISTRO"
 
 
 def distros_to_judge(workspace: WorkspaceIndex | None, distros: Sequence[str]) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.analysis.pinned import is_on_focal
 from archlint.checks.dependency_uses import FOR_OTHERS
 from archlint.checks.folding import folds, with_others, with_the_same_cause
 from archlint.checks.packages import workspace_of
@@ -54,7 +55,12 @@ def _of_manifest(workspace: WorkspaceIndex, package: Package, options: Options) 
         if dependency.name not in known:
             yield from _unknown(workspace, package, dependency, there, options)
         elif outdated is not None and dependency.name not in there.union(options.external):
-            yield _mistaken(package, dependency, outdated)
+            told = _mistaken(package, dependency, outdated)
+            yield replace(told, message=_ON_FOCAL.format(dependency.name)) if is_on_focal(workspace) else told
+
+
+_ON_FOCAL = "'{}' is for Python 2, with which nothing of ROS 2 runs"
+"""What rosdep still installs on Ubuntu 20.04."""
 
 
 def names_meant(workspace: WorkspaceIndex, package: Package, options: Options) -> set[str]:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.analysis.pinned import names_no_distro
 from archlint.finding import Place
 
 if TYPE_CHECKING:
@@ -40,12 +41,27 @@ def dashed_options(workspace: WorkspaceIndex) -> Iterator[DashedOption]:
             continue
         if package.build_type == "ament_cmake" and not _reads_table(workspace, package.name):
             continue
+        if names_no_distro(workspace) and _is_of_old_template(workspace, folder):
+            continue
         section = ""
         for number, line in enumerate(text.splitlines(), 1):
             head, option = _SECTION.match(line), _OPTION.match(line)
             section = head[1] if head is not None else section
             if option is not None and section in _JUDGED:
                 yield DashedOption(option[1], Place(path, number, 1, number, len(option[1]) + 1))
+
+
+_ALL_OF_OLD_TEMPLATE = re.compile(r"\bpackages=\[package_name\],")
+
+
+def _is_of_old_template(workspace: WorkspaceIndex, folder: str) -> bool:
+    """Whether ``ros2 pkg create`` of Foxy made a package: its setup.py lists the one package by name.  Where nothing
+    names a later distribution the workspace may be for that one, whose setuptools says nothing.
+
+    Source: ros2pkg/resource/ament_python/setup.py.em, which has ``find_packages(exclude=['test'])`` since Humble.
+    """
+    text = workspace.tree.text(posixpath.normpath(posixpath.join(folder, "setup.py")))
+    return text is not None and _ALL_OF_OLD_TEMPLATE.search(text) is not None
 
 
 def _reads_table(workspace: WorkspaceIndex, package: str) -> bool:
