@@ -71,6 +71,8 @@ OWN = """\
         return self.force(1.0)
 """
 OWN_OF_CAR = CAR.replace("\n\ndef main", f"{OWN}\n\ndef main", 1)
+REPLACES = "\n    def force(self, speed):\n        return 2.0\n"
+KEEPS = f"\n    strong = force\n{REPLACES}"
 
 
 @pytest.mark.parametrize(
@@ -85,6 +87,8 @@ OWN_OF_CAR = CAR.replace("\n\ndef main", f"{OWN}\n\ndef main", 1)
         ({"car/setup.py": LIBRARY}, True),
         ({"fleet/package.xml": manifest("fleet", "<depend>car</depend>"), "fleet/setup.py": LIBRARY}, True),
         ({"fleet/package.xml": manifest("fleet"), "fleet/setup.py": LIBRARY}, False),
+        ({"car/setup.py": LIBRARY, "car/car/brake.py": f"{BRAKE}{REPLACES}"}, False),
+        ({"car/setup.py": LIBRARY, "car/car/brake.py": f"{BRAKE}{KEEPS}"}, True),
     ],
     ids=[
         "left over",
@@ -96,6 +100,8 @@ OWN_OF_CAR = CAR.replace("\n\ndef main", f"{OWN}\n\ndef main", 1)
         "a library",
         "another package needs it",
         "another package",
+        "replaced by a later one",
+        "kept by the body of the class before that",
     ],
 )
 def test_an_attribute_that_a_method_reads_which_nothing_calls(

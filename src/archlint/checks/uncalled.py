@@ -10,6 +10,7 @@ from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.idle_helpers import is_idle_helper
 from archlint.analysis.kept_defaults import needs_another_default
 from archlint.analysis.left_over import is_named_nowhere
+from archlint.analysis.replaced_methods import is_replaced
 from archlint.analysis.uncalled_methods import uncalled_main, uncalled_method
 from archlint.analysis.unmet_choices import is_never_chosen
 from archlint.connections.lessons import is_lesson
@@ -26,10 +27,10 @@ def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
     """The same finding; none where the file is a program and nothing calls that method, or only such methods do, and
     none behind a flag that stays false, for a choice that is never made, or for another value of a parameter than the
     default that all calls leave it: it is left over, and nobody meets the mistake.  In a lesson it is information then,
-    with the advice to delete a method that nothing calls.  What a library offers is for others to call, but for what a
-    module without a word of ROS has and no file names."""
+    with the advice to delete a method that nothing calls.  Nor is anything said of a method that a later one replaces.
+    What a library offers is for others to call, but for what a module without a word of ROS has and no file names."""
     name = uncalled_in_program(system, diagnostic.place)
-    if is_idle_helper(system.workspace, diagnostic.place):
+    if is_idle_helper(system.workspace, diagnostic.place) or is_replaced(system.workspace, diagnostic.place):
         return
     place, workspace = diagnostic.place, system.workspace
     if name is None and any(never(workspace, place) for never in _NEVER_REACHED):
