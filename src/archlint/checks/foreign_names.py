@@ -15,7 +15,7 @@ _PRESCRIBED = (
     *("/fmu/", "/ap/", "/mavros/"),  # the firmware of drones: PX4, ArduPilot
     *("/world/", "/gazebo/", "/pause_physics", "/unpause_physics", "/reset_simulation", "/reset_world"),  # Gazebo
     *("/carla/", "/turtle1/"),  # simulators: of a town, and of the turtle that turtlesim begins with
-    *("/api/sport/", "/lf/lowstate", "/lf/sportmodestate", "/lowcmd", "/lowstate", "/sportmodestate"),  # Unitree
+    *("/lf/lowstate", "/lf/sportmodestate", "/lowcmd", "/lowstate", "/sportmodestate"),  # Unitree
     *("/utlidar/",),
     *("/camera/camera/",),  # the driver of RealSense cameras, for a camera that nobody gives a name
 )
@@ -26,6 +26,11 @@ _OF_A_MODEL = re.compile(r"/model/[^/]+/(?:joint/[^/]+/|(?:cmd_vel|odometry|pose
 AckermannSteering, OdometryPublisher, PosePublisher) call the topics of a model that nobody names.
 
 Source: gz-sim, ``src/systems``: ``/model/<model>/joint/<joint>/cmd_vel``, ``/model/<model>/odometry`` and the like.
+"""
+_OF_UNITREE = re.compile(r"/api/\w+/(?:request|response)$")
+"""What the firmware of Unitree's robots calls the topics of its services: ``/api/sport/request``, ``/api/arm/request``.
+
+Source: unitree_ros2, ``example/src/include/common``.
 """
 _OF_AUTOWARE = (
     "/api/",
@@ -68,7 +73,7 @@ def _is_prescribed(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool
     types = (other.type or "" for other in (endpoint, *endpoint.node.endpoints))
     if name.startswith(_OF_AUTOWARE) and any(other.startswith(("autoware_", "tier4_")) for other in types):
         return True
-    if name.startswith(_PRESCRIBED) or _OF_A_MODEL.match(name):
+    if name.startswith(_PRESCRIBED) or _OF_A_MODEL.match(name) or _OF_UNITREE.match(name):
         return True
     spoken_with = type_.startswith(_TYPES_OF_OTHERS) and name.rfind("/") <= 0
     return spoken_with and (workspace is None or name not in _spoken_here(workspace))
