@@ -155,3 +155,17 @@ def test_no_node_is_made_where_the_constructor_refuses(
 ):
     text = NEVER_MADE.format(given=given, before=before, base=base, method=method)
     assert codes(run(text)) == expected
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        pytest.param("rclpy.init()", [], id="rclpy raises"),
+        pytest.param("rclpy.ok()", ["EXE008"], id="another call"),
+        pytest.param("if not rclpy.ok(): rclpy.init()", ["EXE008"], id="it asks before"),
+    ],
+)
+def test_no_node_is_made_where_its_constructor_initialises_once_more(run: Run, line: str, expected: list[str]):
+    text = NEVER_MADE.format(given="", before="", base="", method="")
+    text = text.replace("        super().__init__", f"        {line}\n        super().__init__", 1)
+    assert codes(run(text)) == expected

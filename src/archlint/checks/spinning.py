@@ -15,6 +15,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.execution.called_by_hand import left_to_executor
 from archlint.execution.idle_nodes import SERVED, Idle, _all_is_seen, idle_of, started_nodes
+from archlint.execution.second_inits import initialises_again
 from archlint.finding import Finding, Related
 from archlint.model import ExecutorKind
 
@@ -36,16 +37,18 @@ def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
         and id(node) not in sleeping
         and (node.made_at or node.place) not in spun
         and _all_is_seen(program, node)
-        and not _never_gets_there(system, program, (node.made_at or node.place).file)
+        and not _never_gets_there(system, program, node)
     )
 
 
-def _never_gets_there(system: System, program: Program, file: str) -> bool:
-    """Whether a node is never made: its program does not call ``rclpy.init()``, so that rclpy raises, or it is a script
-    that no package installs and that stops at its first imports."""
-    workspace = system.workspace
+def _never_gets_there(system: System, program: Program, node: Blueprint) -> bool:
+    """Whether a node is never made: its program does not call ``rclpy.init()``, or its constructor does so once more,
+    so that rclpy raises, or it is a script that no package installs and that stops at its first imports."""
+    workspace, file = system.workspace, (node.made_at or node.place).file
     if workspace is None:
         return False
+    if initialises_again(workspace, program, node):
+        return True
     stops = is_not_installed(workspace, file) and import_that_fails(workspace, file) is not None
     return stops or not starts_ros(workspace, program.file)
 
