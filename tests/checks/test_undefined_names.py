@@ -626,6 +626,15 @@ def test_names_of_ros_1(judge: Judge, line: str, help: str) -> None:
     assert finding.help == help
 
 
+@pytest.mark.parametrize("test", ["IN_COLAB or IN_KAGGLE", "self.is_notebook()"])
+def test_what_only_a_notebook_defines(judge: Judge, test: str) -> None:
+    line = (
+        "from robot.where import IN_COLAB, IN_KAGGLE\n        elapsed = passed = 1\n"
+        f"        if {test}:\n            display(elapsed)\n        else:\n            display(passed)  # here"
+    )
+    judge("API005", OF_ROS_1.replace("{line}", line))
+
+
 @pytest.mark.parametrize("test", ["os.name == 'nt'", "sys.platform == 'win32'"])
 def test_what_runs_on_windows_alone(judge: Judge, test: str) -> None:
     line = (

@@ -40,6 +40,9 @@ _ALWAYS = frozenset(dir(builtins)) | _OF_MODULES | _OF_CLASSES | _NEWER | {"Wind
 _CHECKS_VERSION = frozenset({"PY2", "PY3", "six", "version_info"})
 _ROS_1 = frozenset({"rospy", "roslib"})
 _KINDS = frozenset({"python", "launch_python", "setup_py"})
+_OF_NOTEBOOKS = frozenset({"display", "get_ipython"})
+"""What IPython adds to the built-in names.  Source: ``init_builtins`` in IPython/core/interactiveshell.py."""
+_HAVE_IPYTHON = ("colab", "ipython", "jupyter", "kaggle", "notebook")
 _SPHINX = "/conf.py"
 """The file for which Sphinx defines names of its own."""
 
@@ -289,6 +292,9 @@ def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Known]:
                 stack += reversed([*part.handlers, *part.orelse, *part.final])
             case facts.If(test=test, orelse=orelse) if _is_of_windows(test):
                 stack += reversed([test, *orelse])
+            case facts.If(test=test, body=inside, orelse=orelse) if _is_of_notebooks(test):
+                stack += reversed([test, *orelse])
+                yield from _reads(inside, scope.within(_OF_NOTEBOOKS))
             case facts.Annotated(target=target, value=value):
                 stack += [fact for fact in (value, target) if fact is not None]
             case facts.Name(id=name):
@@ -360,6 +366,12 @@ def _is_of_windows(test: facts.Expr) -> bool:
         case facts.Compare(left, ["=="], [right]):
             return (left.dotted, right.text) in {("os.name", "nt"), ("sys.platform", "win32")}
     return False
+
+
+def _is_of_notebooks(test: facts.Expr) -> bool:
+    """``if IN_NOTEBOOK``: whether a test is true only where IPython runs the code."""
+    parts = (part for part in everything_in([test]) if isinstance(part, (facts.Name, facts.Attribute)))
+    return any(word in part.last_name.lower() for part in parts for word in _HAVE_IPYTHON)
 
 
 def _catches(handler: facts.Handler) -> bool:
