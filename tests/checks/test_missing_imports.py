@@ -216,6 +216,16 @@ DEEP = {"robot/tools/__init__.py": "", "robot/tools/lens.py": "FOCUS = 1\n"}
             "write `from robot.tools.lens import …`",
         ),
         (
+            "from robot.tools.tools import FOCUS",
+            "there is no module robot.tools.tools: the import fails",
+            "correct the name, or add the file",
+        ),
+        (
+            "from robot.robot import open_camera",
+            "there is no module robot.robot: the import fails; the module is robot.camera",
+            "write `from robot.camera import …`",
+        ),
+        (
             "import lens",
             "there is no module lens: the import fails; the module is robot.tools.lens",
             "write `from robot.tools.lens import …`",

@@ -23,9 +23,10 @@ _SETS_PATH = (".bash", ".dsv", ".env", ".json", ".md", ".sh", ".toml", ".yaml", 
 """How the names of files end that may say where Python looks."""
 
 
-def installed_name(workspace: WorkspaceIndex, file: SourceFile, module: str) -> str | None:
-    """The name under which the module is installed that an import means by the path of its file; None where it means
-    none so, where Python may find it all the same, and where that is not known."""
+def installed_name(workspace: WorkspaceIndex, file: SourceFile, module: str, names: Sequence[str]) -> str | None:
+    """The name under which the module is installed that an import means by the path of its file; that of a module
+    inside of it where only that one has the ``names`` that are imported.  None where it means none so, where Python may
+    find it all the same, and where that is not known."""
     parts = module.split(".")
     if module in workspace.code.modules:
         return None  # robot/robot/robot.py is robot.robot
@@ -36,8 +37,19 @@ def installed_name(workspace: WorkspaceIndex, file: SourceFile, module: str) -> 
             continue
         doubled = parts[0] in workspace.code.modules and end == 1 and parts[0] == parts[1]
         if (doubled or is_no_package(workspace, parts[0])) and not _says_where_to_look(workspace):
-            return name
+            return _inside(workspace, file, name, names)
     return None
+
+
+def _inside(workspace: WorkspaceIndex, file: SourceFile, package: str, names: Sequence[str]) -> str:
+    """The one module of a package that has some names, if the package itself lacks them; tests of it are not meant."""
+    if _has(workspace, file, package, names):
+        return package
+    modules = sorted(name for name in workspace.code.modules if name.startswith(f"{package}."))
+    having = [module for module in modules if _has(workspace, file, module, names)]
+    paths = {module: workspace.code.file_of_import(file.relative, module) for module in having}
+    having = [module for module, path in paths.items() if path is not None and not workspace.roles.is_test(path)]
+    return having[0] if len(having) == 1 else package
 
 
 def _is_path_of(path: str, parts: Sequence[str]) -> bool:

@@ -76,7 +76,7 @@ def _missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
             names = [name for name in names if name != compiled]
             beside = not level and span not in _of_scripts(workspace, file.relative)
             missing = _beside(workspace, file, module, place) if beside else None
-            missing = missing or _absent(workspace, file, module, place)
+            missing = missing or _absent(workspace, file, module, names, place)
             missing = missing or (_nowhere(workspace, file, module, names, place) if beside else None)
             yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
 
@@ -92,7 +92,7 @@ def _nowhere(
     """An import from a package that is nowhere, if it is known what was meant."""
     present = present_name(workspace, file, module, names) or interfaces_of(workspace, file, module, names)
     if present is None and file.relative in _by_console_scripts(workspace):
-        present = installed_name(workspace, file, module) or module_of_package(workspace, file, module, names)
+        present = installed_name(workspace, file, module, names) or module_of_package(workspace, file, module, names)
     if present is not None:
         return MissingImport(place, module, present=present)
     near = near_module(workspace, file, module)
@@ -141,13 +141,15 @@ def _asked_for(statement: _Import) -> Iterator[tuple[str, int, list[str]]]:
 # ------------------------------------------------------------------------------------- what a package does not have
 
 
-def _absent(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Place) -> MissingImport | None:
+def _absent(
+    workspace: WorkspaceIndex, file: SourceFile, module: str, names: list[str], place: Place
+) -> MissingImport | None:
     """A module that no file of the package of its name is."""
     if not _is_whole(workspace, module) or _is_there(workspace, file, module):
         return None
     above, _, last = module.rpartition(".")
-    if file.relative in _by_console_scripts(workspace) and (near := installed_name(workspace, file, module)):
-        return MissingImport(place, module, near=near)
+    if file.relative in _by_console_scripts(workspace) and (found := installed_name(workspace, file, module, names)):
+        return MissingImport(place, module, present=found) if names else MissingImport(place, module, near=found)
     if above not in workspace.code.modules or _is_made_by_a_tool(last) or _is_on_disk(workspace, module):
         return None
     beside = [name for name in workspace.code.modules if name.rpartition(".")[0] == above]
