@@ -217,3 +217,29 @@ def test_a_pointer_that_is_copied_leads_to_the_same() -> None:
         'auto config = std::make_shared<Config>(); auto other = config; other->topic = "map"; topic_ = config->topic;'
     )
     assert of_field(made, CONFIGURED) == ["/map"]
+
+
+def test_a_container_of_objects_holds_copies() -> None:
+    opened = f"node->create_publisher<{STRING}>(row.topic, 2);"
+    rows = f"{CONFIGURED} void open(rclcpp::Node * node, const Config & row) {{ {opened} }}"
+    made = """
+    std::vector<Config> all; Config row;
+    row.topic = "a"; all.push_back(row);
+    row.topic = "b"; all.push_back(row);
+    for (const auto & each : all) { open(this, each); }
+    """
+    [node] = graph({"src/robot.cpp": FIELD % (rows, made)})["nodes"]
+    assert sorted(end["name"] for end in node["publishers"]) == ["/a", "/b", "/scan"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "made"),
+    [("std::shared_ptr<Config>", "std::make_shared<Config>()"), ("Config *", "new Config()")],
+)
+def test_a_container_of_pointers_holds_the_same(kind: str, made: str) -> None:
+    filled = f"""
+    std::vector<{kind}> all; auto row = {made};
+    all.push_back(row); row->topic = "b";
+    for (const auto & each : all) {{ topic_ = each->topic; }}
+    """
+    assert of_field(filled, CONFIGURED) == ["/b"]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import CHANGING, ITEM, PUT, SUBSTRING, VALUE_OR
+from archlint.syntax.cpp.known_names import CHANGING, COPY, ITEM, PUT, SUBSTRING, VALUE_OR
 from archlint.syntax.cpp.lower_expressions import given, is_target
 from archlint.syntax.cpp.lower_objects import ObjectLowering
 
@@ -132,9 +132,13 @@ class MethodLowering(ObjectLowering):
         """What a method is given: ``rows.push_back({"left", 1})`` makes an object of what ``rows`` holds."""
         name = "" if owner is None else self.source.text(owner)
         nodes = [node for node in nodes if node.type != "comment"]
-        if not name or part.name != "push_back" or len(nodes) != 1 or nodes[0].type != "initializer_list":
+        if not name or part.name != "push_back" or len(nodes) != 1:
             return self.lower_all(nodes)
         kind, span = self.names.item_kinds.get(name, []), self.source.span(nodes[0])
+        if nodes[0].type == "identifier" and kind:  # the container holds objects, and so a copy
+            return [facts.Call(self.names.library(COPY, span), given(self.lower_all(nodes)), span)]
+        if nodes[0].type != "initializer_list":
+            return self.lower_all(nodes)
         if kind:
             return [self._item(kind, nodes[0], span)]
         if not self.names.is_in_method or self.names.is_variable(name):
@@ -146,7 +150,8 @@ class MethodLowering(ObjectLowering):
     def note_items(self, name: str, parts: Sequence[Part]) -> None:
         """Take note of what a container holds, where that are objects of a class."""
         kind = self.kind_of_items(parts[-1]) if parts else []
-        if kind and self.is_class(kind):
+        of_pointers = bool(parts) and any("*" in self.source.text(node) for node in parts[-1].arguments)
+        if kind and not of_pointers and self.is_class(kind):
             self.names.item_kinds[name] = kind
 
 
