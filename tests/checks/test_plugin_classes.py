@@ -71,3 +71,37 @@ def test_a_class_that_is_registered_under_another_name(told, types, code):
 )
 def test_classes_that_are_registered_or_may_be(told, description, code):
     assert told(description, code) == []
+
+
+COMPONENTS = """\
+project(robot)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp_components REQUIRED)
+add_library(parts SHARED src/parts.cpp)
+rclcpp_components_register_node(parts PLUGIN "robot::{}" EXECUTABLE arm)
+install(TARGETS parts DESTINATION lib)
+ament_package()
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "registered", "told"),
+    [
+        ("Arm", "robot::Hand", ["robot::Hand"]),
+        ("Arm", "arm::Arm", ["arm::Arm"]),
+        ("Arm", "robot::Arm", []),
+        ("Arm", "", []),
+        ("${NAME}", "robot::Hand", []),
+    ],
+)
+def test_a_component_that_is_registered_under_another_name(findings, asked, registered, told):
+    code = f"RCLCPP_COMPONENTS_REGISTER_NODE({registered})\n" if registered else "int arm() {}\n"
+    files = {"package.xml": CMAKE, "CMakeLists.txt": COMPONENTS.format(asked), "src/parts.cpp": code}
+    found = findings("PKG002", **files)
+    assert [row.meant for row in found] == told
+    assert [row.place.line for row in found] == [5] * len(told)
+
+
+def test_a_description_that_is_not_there(findings):
+    (found,) = findings("PKG004", **{"package.xml": CMAKE, "CMakeLists.txt": BUILD})
+    assert "lists a file that is not there: the build stops at 'plugins.xml'" in found.message

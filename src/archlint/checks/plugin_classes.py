@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
-from archlint.packaging.plugin_descriptions import MisnamedPlugin, misnamed_plugins
+from archlint.packaging.plugin_descriptions import MisnamedPlugin, misnamed_components, misnamed_plugins
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -15,7 +15,21 @@ if TYPE_CHECKING:
 
 def plugin_classes(workspace: WorkspaceIndex) -> Iterator[Finding]:
     """One finding for each such class."""
-    return map(_misnamed, misnamed_plugins(workspace))
+    yield from map(_misnamed, misnamed_plugins(workspace))
+    yield from map(_component, misnamed_components(workspace))
+
+
+def _component(row: MisnamedPlugin) -> Finding:
+    return finding(
+        "PKG002",
+        row.place,
+        f"the program of the component '{row.name}' cannot start: the package registers no class of that name, but "
+        f"'{row.registered}', for which there is no program",
+        help=f"write '{row.registered}', or register the class under the name that stands here",
+        related=(Related(row.registered_at, "this class is registered here"),),
+        identity=(row.place.file, row.name),
+        meant=row.registered,
+    )
 
 
 def _misnamed(row: MisnamedPlugin) -> Finding:

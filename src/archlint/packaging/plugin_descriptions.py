@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from archlint.workspace.installed import Installs
 
 _REGISTERED = re.compile(r"\b(?:PLUGINLIB_EXPORT_CLASS|CLASS_LOADER_REGISTER_CLASS)\s*\(([^()]+),([^(),]+)\)")
-_MACRO = "_CLASS"
+_COMPONENT = re.compile(r"\bRCLCPP_COMPONENTS_REGISTER_NODE\s*\(([^()]+)()\)")
+_MACRO, _OF_COMPONENTS = "_CLASS", "RCLCPP_COMPONENTS_REGISTER_NODE"
 _CLASS = re.compile(r"<class\s([^>]*)>", re.DOTALL)
 _ATTRIBUTE = re.compile(r"\b(type|base_class_type)\s*=\s*(\"[^\"]*\"|'[^']*')")
 _OF_PLUGINS = "base_class_type"
@@ -64,6 +65,23 @@ def misnamed_plugins(workspace: WorkspaceIndex) -> Iterator[MisnamedPlugin]:
                 yield MisnamedPlugin(row.place, row.name, meant, same[meant].place, row.base)
 
 
+def misnamed_components(workspace: WorkspaceIndex) -> Iterator[MisnamedPlugin]:
+    """Each component that ``rclcpp_components_register_node`` makes a program for and that the code registers under
+    another name: the program looks it up by the text that CMake has."""
+    for name in sorted(workspace.installs):
+        installs = workspace.installs[name]
+        package = workspace.manifests.get(installs.folder)
+        if package is None or package.ros1 or is_aside(workspace, package.manifest.relative):
+            continue
+        asked = {row.plugin: row for row in installs.executables.values() if row.plugin and "$" not in row.plugin}
+        registered = _registered(workspace, installs, _COMPONENT) if asked else []
+        left = {row.name: row for row in registered if row.name not in asked}
+        for plugin, row in asked.items():
+            known = plugin in {other.name for other in registered}
+            if not known and (meant := _meant(plugin, list(left))) is not None:
+                yield MisnamedPlugin(row.place, plugin, meant, left[meant].place, "rclcpp_components")
+
+
 def _meant(name: str, names: list[str]) -> str | None:
     """The class that was meant: the only one, one of the same name in another namespace, or one of almost that name."""
     last = name.rpartition("::")[2]
@@ -89,14 +107,14 @@ def _described(workspace: WorkspaceIndex, installs: Installs) -> Iterator[_Class
                 yield _Class(html.unescape(own[2][1:-1]).strip(), base, place)
 
 
-def _registered(workspace: WorkspaceIndex, installs: Installs) -> list[_Class]:
+def _registered(workspace: WorkspaceIndex, installs: Installs, macro: re.Pattern[str] | None = None) -> list[_Class]:
     rows = []
     for file in workspace.tree.files_below(installs.folder):
         text = workspace.tree.text(file) or "" if file.endswith(CPP_SOURCES) else ""
-        if _MACRO in text:
-            for call in _REGISTERED.finditer(without_cpp_comments(text)):
+        if (_MACRO if macro is None else _OF_COMPONENTS) in text:
+            for call in (macro or _REGISTERED).finditer(without_cpp_comments(text)):
                 place = _place(file, text, call.start(), len(call[0].splitlines()[0]))
-                rows.append(_Class("".join(call[1].split()), "".join(call[2].split()), place))
+                rows.append(_Class("".join(call[1].split()), "".join((call[2] or "").split()), place))
     return rows
 
 
@@ -105,4 +123,4 @@ def _place(file: str, text: str, at: int, length: int) -> Place:
     return Place(file, line, at - start + 1, line, at - start + 1 + length)
 
 
-__all__ = ["MisnamedPlugin", "misnamed_plugins"]
+__all__ = ["MisnamedPlugin", "misnamed_components", "misnamed_plugins"]

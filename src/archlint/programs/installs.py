@@ -167,6 +167,7 @@ _MAKERS = _RUN_SOMETHING | frozenset(
 
 
 _TAKE_SOURCES = frozenset({"add_executable", "add_library", "ament_add_gtest", "ament_add_gmock"})
+_EXPORTS_PLUGINS = "pluginlib_export_plugin_description_file"
 _CODE = (".cpp", ".cc", ".cxx", ".c")
 
 
@@ -185,6 +186,8 @@ def _needed(step: Step) -> Iterator[NeededSource]:
         rows = [(a, False) for a in step.command.arguments[1:2] if a.text.endswith(".py")]
     if step.command.name == _GENERATES:
         rows = [(a, False) for a in _interface_files(step.command)]
+    if step.command.name == _EXPORTS_PLUGINS:
+        rows = [(a, False) for a in step.command.arguments[1:2] if a.text.endswith(".xml")]
     for argument, folder in rows:
         if not re.search(r"[$<>:]", argument.text) and not posixpath.isabs(without_source(argument.text)):
             place = _place(argument, step.file)
