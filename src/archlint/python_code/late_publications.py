@@ -104,12 +104,12 @@ def _is_publication(call: facts.Call, publishers: Set[str]) -> bool:
 
 def _publishers(code: facts.Facts) -> frozenset[str]:
     """What a file calls publishers that it creates: variables and attributes, whichever object has these."""
-    made = [
+    creations = [
         statement
         for statement in everything_in(code.body, facts.Assign)
         if isinstance(statement.value, facts.Call) and statement.value.func.attribute in _MAKE_PUBLISHERS
     ]
-    return frozenset(target.last_name for statement in made for target in statement.targets if target.last_name)
+    return frozenset(target.last_name for statement in creations for target in statement.targets if target.last_name)
 
 
 # ------------------------------------------------------------------------------------------------- by the text alone

@@ -101,7 +101,7 @@ def _in(
         return
     cls = None if number is None else classes_of(code)[number]
     variables, messages = values_in(function), imported_messages(code)
-    made = variables_of_messages(function, messages) if messages else set()
+    own_messages = variables_of_messages(function, messages) if messages else set()
     for call in calls:
         match call.args:
             case [facts.Argument(value=value, keyword=None, star=""), *others] if loggers.refusal(call) is None:
@@ -115,7 +115,7 @@ def _in(
         of_rclpy = objects_of(code).scope(function).kind(value)
         if of_rclpy is not None:
             yield row(kind=str(of_rclpy), of_node=of_rclpy in _OF_NODES)
-        elif makes_message(value, messages) or value.variable in made:
+        elif makes_message(value, messages) or value.variable in own_messages:
             yield row(kind="a message")
         elif (of_parameter := kind_with_parameters(code, cls, held)) is not None:
             yield row(kind=_words(of_parameter), attribute=own or "", of_node=True)

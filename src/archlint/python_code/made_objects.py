@@ -74,13 +74,13 @@ def _of_variables(code: facts.Facts) -> Iterator[_Row]:
     seen: set[Itself[facts.Base]] = set()
     scopes: tuple[facts.Facts | facts.Function, ...] = (code, *everything_in(code.body, facts.Function))
     for scope in scopes:
-        made = _made(scope)
-        for call in everything_in(scope.body, facts.Call) if made else ():
+        makers_of = _made(scope)
+        for call in everything_in(scope.body, facts.Call) if makers_of else ():
             match call.func:
-                case facts.Attribute(value=facts.Name(id=name)) as part if name in made:
+                case facts.Attribute(value=facts.Name(id=name)) as part if name in makers_of:
                     if Itself[facts.Base](part) not in seen:
                         seen.add(Itself[facts.Base](part))
-                        yield call, part, made[name], ""
+                        yield call, part, makers_of[name], ""
 
 
 @once_for
@@ -105,12 +105,12 @@ def _bound_in(function: facts.Function) -> Counter[str]:
 def _of_attributes(code: facts.Facts) -> Iterator[_Row]:
     """The calls of objects that attributes of ``self`` hold."""
     for cls in classes_of(code):
-        made = _made_for(cls)
-        for call in everything_in(cls.body, facts.Call) if made else ():
+        makers_of = _made_for(cls)
+        for call in everything_in(cls.body, facts.Call) if makers_of else ():
             match call.func:
                 case facts.Attribute(value=facts.Attribute(value=facts.Name(id="self"), attr=attr)) as part:
-                    if attr in made:
-                        yield call, part, made[attr], attr
+                    if attr in makers_of:
+                        yield call, part, makers_of[attr], attr
 
 
 def _made_for(cls: facts.Class) -> dict[str, str]:

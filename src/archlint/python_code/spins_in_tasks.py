@@ -71,14 +71,14 @@ def _is_of_asyncio(code: facts.Facts, call: facts.Call) -> bool:
 
 def _executors(code: facts.Facts) -> frozenset[str]:
     """The variables and attributes that hold executors of rclpy and nothing else."""
-    made = Counter(
+    makings = Counter(
         target.last_name
         for statement in everything_in(code.body, facts.Assign)
         if isinstance(statement.value, facts.Call) and statement.value.func.last_name in _EXECUTORS
         for target in statement.targets
     )
     times = Counter(getattr(target, "last_name", "") for target in targets_of(code.body))
-    return frozenset(name for name, count in made.items() if name and times[name] == count)
+    return frozenset(name for name, count in makings.items() if name and times[name] == count)
 
 
 def _spins(code: facts.Facts, call: facts.Call, executors: frozenset[str]) -> bool:

@@ -106,21 +106,21 @@ def _rows(code: facts.Facts) -> list[_Row]:
 
 def _methods(code: facts.Facts) -> Mapping[Itself[facts.Base], int]:
     """What names a plain method of its own class in the methods of that class, with the position of the class."""
-    found: dict[Itself[facts.Base], int] = {}
+    rows: dict[Itself[facts.Base], int] = {}
     for number, cls in enumerate(classes_of(code)):
         plain = {method.name for method in methods_of(cls) if not method.decorators}
         for method in methods_of(cls):
             for part in everything_in(method.body, facts.Attribute):
                 if part.attr in plain:
-                    found[Itself(part)] = number
-    return found
+                    rows[Itself(part)] = number
+    return rows
 
 
 def _futures(code: facts.Facts) -> frozenset[Itself[facts.Base]]:
     """What is looked for in variables, and attributes of ``self``, that hold nothing but the future of a request."""
-    found: set[Itself[facts.Base]] = set()
+    rows: set[Itself[facts.Base]] = set()
     held = Counter(target.attribute for target in targets_of(code.body) if target.attribute)
-    made = Counter(
+    futures_or_none = Counter(
         target.attribute
         for each in everything_in(code.body, facts.Assign)
         if _gives_future(each.value) or is_none(each.value)
@@ -133,10 +133,10 @@ def _futures(code: facts.Facts) -> frozenset[Itself[facts.Base]]:
         if _gives_future(each.value)
         for target in each.targets
     }
-    attributes = {name for name in futures - {""} if held[name] == made[name]}
+    attributes = {name for name in futures - {""} if held[name] == futures_or_none[name]}
     for part in everything_in(code.body, facts.Attribute):
         if part.value.attribute in attributes:
-            found.add(Itself(part))
+            rows.add(Itself(part))
     for function in everything_in(code.body, facts.Function):
         times = Counter(names_bound(function))
         given = Counter(
@@ -149,8 +149,8 @@ def _futures(code: facts.Facts) -> frozenset[Itself[facts.Base]]:
         for part in parts_of(function.body, facts.Attribute) if given else ():
             name = part.value.variable
             if name and given[name] and given[name] == times[name]:
-                found.add(Itself(part))
-    return frozenset(found)
+                rows.add(Itself(part))
+    return frozenset(rows)
 
 
 def _gives_future(value: facts.Expr) -> bool:

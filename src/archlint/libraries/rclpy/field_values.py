@@ -77,16 +77,16 @@ def _named(run: Run, e: facts.Expr) -> Value | None:
     anything."""
     match e:
         case facts.Name(id=name):
-            found = run.lookup(name)
+            held = run.lookup(name)
         case facts.Attribute(value=inner, attr=name):
             owner = _named(run, inner)
             if isinstance(owner, MessageValue):
-                found = known_content(run, owner, name) or content_of(run, owner, name)
+                held = known_content(run, owner, name) or content_of(run, owner, name)
             else:
-                found = run.store.get(owner.key, name) if isinstance(owner, Instance) else None
+                held = run.store.get(owner.key, name) if isinstance(owner, Instance) else None
         case _:
             return None
-    return None if found is None else of_value(found) or (found if isinstance(found, Instance) else None)
+    return None if held is None else of_value(held) or (held if isinstance(held, Instance) else None)
 
 
 def note_positional(run: Run, message: MessageValue, span: Span) -> None:
