@@ -1258,3 +1258,31 @@ def test_a_copied_program_that_no_entry_point_starts(lint: Lint, entry: str, tol
         "talk/talk/wander.py": wander,
     }
     assert len(lint(files)) == told
+
+
+START = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='camera', executable='{}')])
+"""
+
+
+@pytest.mark.parametrize(
+    ("program", "told"),
+    [
+        ("talk", 0),  # LCH001 says that it is the package's own program: 'camera' is the wrong name
+        ("look", 1),
+        ("stare", 1),  # nobody installs it: LCH001 cannot say which package is meant
+    ],
+)
+def test_a_package_of_which_a_launch_file_wants_what_another_one_installs(lint: Lint, program: str, told: int):
+    files = {f"{name}/package.xml": manifest(name, *depends("rclpy")) for name in ("robot", "camera")}
+    for name, entry in (("robot", "talk"), ("camera", "look")):
+        entries = f"entry_points={{'console_scripts': ['{entry} = {name}.it:main']}}"
+        setup = f"setup(name='{name}', packages=['{name}'], {entries})"
+        files |= {f"{name}/setup.py": f"from setuptools import setup\n\n{setup}\n", f"{name}/{name}/__init__.py": ""}
+        files[f"{name}/{name}/it.py"] = f"import rclpy\n\n\ndef main():\n    rclpy.create_node('{entry}')\n"
+    assert len(lint(files | {"robot/launch/it.launch.py": START.format(program)})) == told

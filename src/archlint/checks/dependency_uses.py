@@ -239,8 +239,18 @@ def _launched(workspace: WorkspaceIndex) -> Iterator[Use]:
             place = _named_at(started)
             exact = started.package.resolution == "exact" and not started.dormant
             judged = started.kind in (StartedKind.NODE, StartedKind.CONTAINER) and not _beside_the_code(place.file)
-            if exact and judged and started.package.text:
+            if exact and judged and started.package.text and not _names_another_package(workspace, started):
                 yield Use(place, started.package.text, "starts a node of", _on_the_way(started, place))
+
+
+def _names_another_package(workspace: WorkspaceIndex, started: Started) -> bool:
+    """Whether an executable is that of another package than the one that is named: LCH001 says to name that one."""
+    name, named = started.executable.text, workspace.installs.get(started.package.text or "")
+    if name is None or started.executable.resolution != "exact" or named is None or named.open_executables:
+        return False
+    if name in named.executables or name in named.mentioned or not named.build_files:
+        return False
+    return sum(name in installs.executables for installs in workspace.installs.values()) == 1
 
 
 def _of_launch(workspace: WorkspaceIndex) -> Iterator[Use]:
