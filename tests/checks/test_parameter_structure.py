@@ -298,6 +298,12 @@ def test_a_file_that_no_launch_file_gives_to_a_node(findings, text):
     assert told.message.startswith(message)
 
 
+def test_a_section_that_is_still_empty_in_a_file_that_no_launch_file_gives_to_a_node(findings):
+    text = "talker:\n  ros__parameters:\n    # rate: 1.0\n"
+    (told,) = findings("PRM009", node(name="talker"), **{"config/p.yaml": text})
+    assert (told.severity, told.help) == (Severity.INFO, "write 'ros__parameters: {}' for a node without parameters")
+
+
 @pytest.mark.parametrize(
     ("files", "severity"),
     [

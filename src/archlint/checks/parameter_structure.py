@@ -52,10 +52,17 @@ def given_by_several_launch_files(several: Sequence[Finding]) -> Finding:
 def _in_unloaded(system: System, workspace: WorkspaceIndex) -> Iterator[Finding]:
     """What is wrong with the files that no launch file here gives to a node: asked once, with the open system."""
     if system.launched is None:
-        told = [replace(_misplaced(system, key), severity=Severity.WARNING) for key in misplaced_in_unloaded(workspace)]
-        for diagnostic in (*told, *map(_twice, twice_in_unloaded(workspace))):
+        for key in misplaced_in_unloaded(workspace):
+            unread = has_no_reader(workspace, key.file) or _is_to_be_filled(key.wrong)
+            yield replace(_misplaced(system, key), severity=Severity.INFO if unread else Severity.WARNING)
+        for diagnostic in map(_twice, twice_in_unloaded(workspace)):
             unread = has_no_reader(workspace, diagnostic.place.file)
             yield replace(diagnostic, severity=Severity.INFO) if unread else diagnostic
+
+
+def _is_to_be_filled(wrong: Misplaced) -> bool:
+    """Whether a file has a section with nothing in it, and nothing that stands there by mistake in its place."""
+    return wrong.kind is Misplacement.NOTHING_BELOW and not wrong.other
 
 
 def _misplaced(system: System, key: MisplacedIn) -> Finding:
