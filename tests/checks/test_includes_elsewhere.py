@@ -43,7 +43,13 @@ def _told(findings, code: str, *actions: str, **files: str):
         ),
         (
             "include('slam_toolbox', 'online_async_launch.py', params_file='a.yaml')",
-            "online_async_launch.py of slam_toolbox takes no launch argument 'params_file' since Humble",
+            "online_async_launch.py of slam_toolbox takes no launch argument 'params_file' since Humble; did you "
+            "mean 'slam_params_file'?",
+            "write 'slam_params_file': the value has no effect",
+        ),
+        (
+            "include('slam_toolbox', 'online_async_launch.py', maps='a.yaml')",
+            "online_async_launch.py of slam_toolbox takes no launch argument 'maps' since Humble",
             "the value has no effect: remove it; ros2 launch slam_toolbox online_async_launch.py --show-args lists "
             "those that it takes",
         ),

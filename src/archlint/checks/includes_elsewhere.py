@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related, Severity
 from archlint.launch_files.well_known_includes import unknown_to_includes
-from archlint.suggestions import did_you_mean, nearest
+from archlint.suggestions import meant, nearest
 
 if TYPE_CHECKING:
     from archlint.launch.model import Launched
@@ -29,10 +29,10 @@ def _unknown(row: UnknownToInclude) -> Finding:
     """What a well-known launch file from elsewhere does not take, in any distribution since humble."""
     (first, place), *others = row.given
     names = [name for name, _ in row.given]
-    said = f"takes no launch argument '{first}' since Humble" + did_you_mean(first, row.taken)
+    near = _meant(first, row.taken)
+    said = f"takes no launch argument '{first}' since Humble" + meant(f"'{near}'" if near else "")
     if others:
         said = "takes none of these launch arguments since Humble: " + ", ".join(f"'{name}'" for name in names)
-    near = nearest(first, row.taken)
     see = f"ros2 launch {row.package} {row.file} --show-args lists those that it takes"
     diagnostic = finding(
         "LCH003",
@@ -41,11 +41,23 @@ def _unknown(row: UnknownToInclude) -> Finding:
         help=f"write '{near}': the value has no effect"
         if near and not others
         else f"the value has no effect: remove it; {see}",
-        related=[Related(at, f"'{name}' is set here" + did_you_mean(name, row.taken)) for name, at in others],
+        related=[Related(at, _set_here(name, row.taken)) for name, at in others],
         identity=(row.package, row.file, *names),
         group=(place.file, row.package, row.file, *names),
     )
     return replace(diagnostic, severity=Severity.INFO) if PASSED_TO_ALL.issuperset(names) else diagnostic
+
+
+def _set_here(name: str, taken: Collection[str]) -> str:
+    near = _meant(name, taken)
+    return f"'{name}' is set here" + meant(f"'{near}'" if near else "")
+
+
+def _meant(name: str, taken: Collection[str]) -> str:
+    """The argument nearest to a name, or the only one that is the name with words before or behind it:
+    ``slam_params_file`` for ``params_file``."""
+    longer = [other for other in taken if other.endswith(f"_{name}") or other.startswith(f"{name}_")]
+    return nearest(name, taken) or (longer[0] if len(longer) == 1 else "")
 
 
 __all__ = ["PASSED_TO_ALL", "unknown_elsewhere"]
