@@ -8,6 +8,8 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
+from archlint.finding import Finding
+from robot_package import write_files
 
 MANIFEST = """\
 <package format="3">
@@ -158,3 +160,67 @@ def test_a_cmake_file_that_cannot_be_parsed(tmp_path: Path, monkeypatch: pytest.
     (told,) = [row for row in check(Request((".",), load(tmp_path), False, 1)).findings if row.code == "LNT002"]
     assert (told.place.file, told.place.line) == ("CMakeLists.txt", 2)
     assert told.message.startswith("CMake cannot read this file: 'DEPENDENCIES' is no command")
+
+
+def unread() -> list[Finding]:
+    findings = check(Request((".",), load(Path()), False, 1)).findings
+    return [found for found in findings if found.code == "LNT002"]
+
+
+EMPTY = "this file is empty"
+COMMENTED = "<!-- <launch>\n  <!-- the robot -->\n  <let name='a' value='1'/>\n</launch> -->\n"
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "expected"),
+    [
+        ("launch/a.launch.xml", "", (EMPTY, "delete it, or write it", "INFO")),
+        ("package.xml", "", (EMPTY, "delete it, or write it", "WARNING")),
+        (
+            "launch/a.launch.xml",
+            "<!-- later -->",
+            ("nothing is in this file but a comment", "delete it, or write it", "INFO"),
+        ),
+        (
+            "launch/a.launch.xml",
+            COMMENTED,
+            (
+                "the whole file is in a comment, in which there are others, so that it is no XML",
+                "delete it, or take it out of the comment",
+                "INFO",
+            ),
+        ),
+        (
+            "launch/a.launch.xml",
+            "<!-- <launch> -->\n<launch>\n",
+            ("malformed XML: no element found", "correct it: until then nothing in this file is checked", "WARNING"),
+        ),
+    ],
+)
+def test_xml_with_nothing_in_it(tmp_path, monkeypatch, path, text, expected):
+    monkeypatch.chdir(tmp_path)
+    write_files(tmp_path / "robot", {"package.xml": MANIFEST, "CMakeLists.txt": CMAKE, path: text})
+    (found,) = unread()
+    assert (found.code, (found.message, found.help, found.severity.name)) == ("LNT002", expected)
+
+
+def test_empty_launch_files_beside_each_other_are_one_finding(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    texts = {"launch": "", "launch/more": "\n"}
+    files = {f"{folder}/{name}.launch.xml": text for folder, text in texts.items() for name in ("a", "b")}
+    write_files(tmp_path / "robot", {"package.xml": MANIFEST, "CMakeLists.txt": CMAKE, **files})
+    assert [(found.place.file, found.message) for found in unread()] == [
+        (f"robot/{folder}/a.launch.xml", f"{EMPTY}; another file beside it is empty, too")
+        for folder in ("launch", "launch/more")
+    ]
+
+
+def test_links_into_one_folder_that_is_not_there_are_one_finding(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    write_files(tmp_path / "robot", {"package.xml": MANIFEST, "CMakeLists.txt": CMAKE})
+    for name in ("a", "b", "c"):
+        (tmp_path / "robot" / f"{name}.py").symlink_to(tmp_path / "home" / name / "it.py")
+    (found,) = unread()
+    absent = f"is a broken symbolic link: there is no '{tmp_path / 'home'}' here"
+    assert found.message == f"{absent}; 2 more links lead there, too"
+    assert found.help.startswith("remove it, or make it a link to a file of the workspace")

@@ -526,10 +526,12 @@ def test_a_link_to_nothing_is_told(tmp_path):
     (tmp_path / "gone.py").symlink_to("nowhere.py")
     (tmp_path / "circle.py").symlink_to("circle.py")
     (tmp_path / "gone.txt").symlink_to("nowhere.txt")
+    (tmp_path / "home.py").symlink_to(tmp_path / "home/a/robot/home.py")
     workspace = look(tmp_path)
     assert workspace.problems == (
         Problem("circle.py", 1, 1, "is a symbolic link that leads back to itself"),
         Problem("gone.py", 1, 1, "is a broken symbolic link"),
+        Problem("home.py", 1, 1, f"is a broken symbolic link: there is no '{tmp_path / 'home'}' here"),
     )
 
 

@@ -28,6 +28,7 @@ from archlint.faults import Fault
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.project import issue_tracker
 from archlint.rulebook import rules
+from archlint.workspace.model import BROKEN_LINK
 
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
@@ -227,13 +228,18 @@ def unreadable(
     information where ``help`` says what to do."""
     place = Place(file, line, column, line, column)
     if not internal:
-        group = (message,) if file.rpartition("/")[2] == "package.xml" else ()  # copied from package to package
-        diagnostic = finding("LNT002", place, message, help=help or _UNREAD, identity=(message,), group=group)
+        leads_out = message.startswith(f"{BROKEN_LINK}:")
+        alike = leads_out or file.rpartition("/")[2] == "package.xml"  # copied from package to package
+        group, advice = (message,) if alike else (), _LEADS_OUT if leads_out else _UNREAD
+        diagnostic = finding("LNT002", place, message, help=help or advice, identity=(message,), group=group)
         return diagnostic if help is None else replace(diagnostic, severity=Severity.INFO)
     what = f"reading this file failed with {message}; everything else was checked"
     return finding("LNT003", place, what, help=_REPORT, identity=(f"internal error: {message}",))
 
 
+EMPTY = "empty"
+"""The first part of the group of what is found of files with nothing in them."""
+_LEADS_OUT = "remove it, or make it a link to a file of the workspace, by a relative path"
 _UNREAD = "correct it: until then nothing in this file is checked"
 
 

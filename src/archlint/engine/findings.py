@@ -33,7 +33,7 @@ from archlint.engine.repeats import once_for_copied_lines
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.engine.summaries_ahead import SummariesAhead
-from archlint.engine.unread_data import because_of_a_merge, is_manifest_to_fill, is_to_be_filled_in, unread_data
+from archlint.engine.unread_data import is_manifest_to_fill, is_to_be_filled_in, unread_data, with_its_reason
 from archlint.engine.unused_files import apart, count_of_files, unused_files
 from archlint.engine.vendored_packages import without_vendored
 from archlint.faults import Faults
@@ -152,7 +152,7 @@ def _judged(
     by_file.update(_of_manifests(workspace, inputs.tree))
     candidates.extend(failure(fault) for fault in faults.by_place())
     skipped = {file.relative for file in python_files(workspace) if facts.is_ros1(file)}
-    candidates = [because_of_a_merge(each, inputs.tree) for each in candidates if each.place.file not in skipped]
+    candidates = [with_its_reason(each, inputs.tree) for each in candidates if each.place.file not in skipped]
     unused = unused_files(index, candidates, request)
     old = half_ported(workspace, known, facts)
     aside = uninstalled.files_of(index, candidates)

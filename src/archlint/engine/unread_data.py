@@ -10,11 +10,13 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
-from archlint.checks.registry import unreadable
+from archlint.checks.registry import EMPTY, unreadable
+from archlint.finding import Severity
 from archlint.launch_files.unloaded_parameter_files import is_template
 from archlint.syntax.descriptions import malformed_description, may_be_description
 from archlint.syntax.parameter_structure import ROOT
 from archlint.workspace.cmake_problems import malformed_cmake
+from archlint.workspace.comments import replace_xml_comments
 from archlint.workspace.merge_marks import UNMERGED, merge_in
 
 if TYPE_CHECKING:
@@ -52,13 +54,42 @@ def _build_files(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Findin
             yield replace(finding, help="correct it: the build stops here")
 
 
-def because_of_a_merge(finding: Finding, tree: Tree) -> Finding:
-    """What could not be read, with the reason if git has left both sides of a merge in the file: the words of a parser
-    do not say so."""
-    unmerged = finding.code == "LNT002" and UNMERGED not in finding.message
-    if not unmerged or merge_in(tree.text(finding.place.file) or "") is None:
+def with_its_reason(finding: Finding, tree: Tree) -> Finding:
+    """What could not be read, with the reason if the words of a parser do not say it: both sides of a merge are left in
+    the file, or there is nothing in it."""
+    if finding.code != "LNT002" or UNMERGED in finding.message:
+        return finding
+    text = tree.text(finding.place.file)
+    if finding.place.file.endswith(".xml") and text is not None and (told := _of_nothing(finding, text)) is not None:
+        return told
+    if merge_in(text or "") is None:
         return finding
     return replace(finding, message=f"{finding.message}; {UNMERGED}", help=_KEEP)
+
+
+_IN_A_COMMENT = re.compile(r"\s*(?:<\?xml[^>]*>\s*)?<!--\s*<(\w+)\b.*</\1>\s*-->\s*", re.DOTALL)
+"""A file that somebody has made a comment of, with the comments in it, which end it too early."""
+
+
+def _of_nothing(finding: Finding, text: str) -> Finding | None:
+    """What to say of a manifest or a launch file in XML with nothing in it: a launch file that waits to be written."""
+    folder, _, name = finding.place.file.rpartition("/")
+    if not text.strip():
+        message, help = "this file is empty", "delete it, or write it"
+    elif not _ELEMENT_OF_XML.search(replace_xml_comments(text, lambda _: "")):
+        message, help = "nothing is in this file but a comment", "delete it, or write it"
+    elif _IN_A_COMMENT.fullmatch(text):
+        message = "the whole file is in a comment, in which there are others, so that it is no XML"
+        help = "delete it, or take it out of the comment"
+    else:
+        return None
+    told = replace(finding, message=message, help=help, identity=(message,))
+    if name == "package.xml":
+        return told
+    return replace(told, severity=Severity.INFO, group=(EMPTY, folder) if not text.strip() else ())
+
+
+_ELEMENT_OF_XML = re.compile(r"<\w")
 
 
 def _read_parameter_files(index: WorkspaceIndex, workspace: Workspace) -> None:

@@ -51,6 +51,10 @@ class Problem:
     """What brings the file, where that is known; it is no fault of the workspace then."""
 
 
+BROKEN_LINK = "is a broken symbolic link"
+"""What is said of a link to nothing; of one by an absolute path, also from where on nothing is there."""
+
+
 @dataclass(frozen=True, slots=True)
 class Link:
     """A symbolic link to a file of the workspace: the package that it lies in, and the name that it gives a module."""

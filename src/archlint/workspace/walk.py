@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from archlint.workspace.around import is_below
 from archlint.workspace.ignore import Ignores, clones_in, ignores_above, pattern_files
 from archlint.workspace.kinds import has_python_shebang, kind_of, may_be_script
-from archlint.workspace.model import PYTHON_KINDS, Link, Problem, SourceFile, SourceKind
+from archlint.workspace.model import BROKEN_LINK, PYTHON_KINDS, Link, Problem, SourceFile, SourceKind
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
 from archlint.workspace.submodules import submodule_of
 from archlint.workspace.tracked import Tracked
@@ -281,6 +281,16 @@ def _leads_into_nothing(link: str) -> bool:
         return False
 
 
+def _broken_link(link: str) -> str:
+    """What to say of a link to nothing: those that one computer alone has a folder for lead below what is not there."""
+    target = os.path.normpath(os.readlink(link))
+    if not os.path.isabs(target):
+        return BROKEN_LINK
+    while not os.path.lexists(os.path.dirname(target)):
+        target = os.path.dirname(target)
+    return f"{BROKEN_LINK}: there is no '{target}' here"
+
+
 def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> tuple[str, str | None] | None:
     """What to say of a file whose status cannot be had, and what brings it; None for one that has just been removed."""
     if error.errno == errno.ENOENT:
@@ -290,7 +300,7 @@ def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> tuple[str, str |
             return message, "git submodule update --init"
         if entry.is_symlink() and (os.readlink(entry.path).endswith(_OF_CATKIN) or _leads_into_nothing(entry.path)):
             return None
-        return ("is a broken symbolic link", None) if entry.is_symlink() else None
+        return (_broken_link(entry.path), None) if entry.is_symlink() else None
     if error.errno == errno.ELOOP:
         return "is a symbolic link that leads back to itself", None
     return f"cannot be read: {error.strerror}", None
