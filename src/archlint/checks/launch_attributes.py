@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import posixpath
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -14,11 +12,12 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Severity
 from archlint.launch_files.launch_code import is_for_several_distros
-from archlint.suggestions import did_you_mean, distance, nearest
+from archlint.launch_files.old_releases import has_successor, is_for_an_old_release
+from archlint.suggestions import did_you_mean, nearest
 
 if TYPE_CHECKING:
     from archlint.launch.mistakes import UnknownAttribute
-    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.systems.model import System
 
 _RENAMED = {
     "node_name": "name",
@@ -49,8 +48,8 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
     for wrong in every:
         if is_for_several_distros(system.workspace, wrong.place.file):
             continue
-        is_old = _was_renamed(wrong) and _is_for_an_old_release(wrong.place.file)
-        if is_old and _has_successor(system.workspace, wrong.place.file):
+        is_old = _was_renamed(wrong) and is_for_an_old_release(wrong.place.file)
+        if is_old and has_successor(system.workspace, wrong.place.file):
             continue
         if _was_renamed(wrong) and is_from_before_galactic(system.workspace):
             continue  # right where it is to run
@@ -81,30 +80,6 @@ _OLD = "names of an older launch_ros"
 def _was_renamed(wrong: UnknownAttribute) -> bool:
     """Whether ``Node`` took an argument under this name until Foxy, with a warning there."""
     return wrong.name.startswith("node_") and not wrong.of_element and wrong.name in _RENAMED
-
-
-_OLD_RELEASES = ("dashing", "eloquent", "foxy")
-"""The releases whose ``Node`` took ``node_name`` and the like."""
-_LONG = 7
-"""Letters of a name that is still itself with one of them wrong."""
-
-
-def _is_for_an_old_release(file: str) -> bool:
-    """Whether a file is called after one of them, be it with a slip."""
-    return any(map(_is_old_release, re.findall("[a-z]+", posixpath.basename(file))))
-
-
-def _is_old_release(word: str) -> bool:
-    return any(distance(word, name, 1) <= int(len(name) >= _LONG) for name in _OLD_RELEASES)
-
-
-def _has_successor(workspace: WorkspaceIndex | None, file: str) -> bool:
-    """Whether the file for the releases since then lies beside one for an old one: ``start.py`` beside
-    ``dashing_start.py``."""
-    folder, name = posixpath.split(file)
-    words = (match for match in re.finditer("[a-z]+", name) if _is_old_release(match[0]))
-    newer = (f"{name[: match.start()].rstrip('_-.')}{name[match.end() :]}".lstrip("_-.") for match in words)
-    return workspace is not None and any(workspace.tree.is_file(posixpath.join(folder, other)) for other in newer)
 
 
 @folds("LCH005", across_systems=True)

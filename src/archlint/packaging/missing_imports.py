@@ -148,8 +148,8 @@ def _absent(
     if not _is_whole(workspace, module) or _is_there(workspace, file, module):
         return None
     above, _, last = module.rpartition(".")
-    if file.relative in _by_console_scripts(workspace) and (found := installed_name(workspace, file, module, names)):
-        return MissingImport(place, module, present=found) if names else MissingImport(place, module, near=found)
+    if file.relative in _by_console_scripts(workspace) and (there := installed_name(workspace, file, module, names)):
+        return MissingImport(place, module, present=there) if names else MissingImport(place, module, near=there)
     if above not in workspace.code.modules or _is_made_by_a_tool(last) or _is_on_disk(workspace, module):
         return None
     beside = [name for name in workspace.code.modules if name.rpartition(".")[0] == above]

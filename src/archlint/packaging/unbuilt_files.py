@@ -68,8 +68,8 @@ def _is_left_header(workspace: WorkspaceIndex, file: str) -> bool:
 def _included(workspace: WorkspaceIndex) -> frozenset[str]:
     """What the C++ code of the workspace includes, without the folders above that a path begins with."""
     code = [path for path in workspace.tree.files_below(workspace.tree.top) if path.endswith((*_SOURCES, *_HEADERS))]
-    found = (match[1] for path in code for match in _INCLUDE.finditer(workspace.tree.text(path) or ""))
-    return frozenset(_ABOVE.sub("", included) for included in found)
+    paths = (match[1] for path in code for match in _INCLUDE.finditer(workspace.tree.text(path) or ""))
+    return frozenset(_ABOVE.sub("", included) for included in paths)
 
 
 def _is_included(workspace: WorkspaceIndex, installs: Installs, name: str) -> bool:

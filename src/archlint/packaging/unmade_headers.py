@@ -74,9 +74,9 @@ def _is_beside_ros1(installs: Installs | None) -> bool:
 def _judged(table: InterfaceTable, header: str, place: Place) -> UnmadeHeader | None:
     if header in _MOVED:
         return UnmadeHeader(place, header, _MOVED[header], of_ros1=True, is_case=True)
-    made = _OF_INTERFACE.fullmatch(header)
-    if made is not None:
-        return _of_interface(table, header, place, made)
+    of_interface = _OF_INTERFACE.fullmatch(header)
+    if of_interface is not None:
+        return _of_interface(table, header, place, of_interface)
     old = _OF_ROS_1.fullmatch(header)
     if old is None:
         return None
@@ -87,8 +87,8 @@ def _judged(table: InterfaceTable, header: str, place: Place) -> UnmadeHeader | 
     return UnmadeHeader(place, header, f"{package}/{kinds[0]}/{header_stem(name)}.hpp", of_ros1=True, is_case=True)
 
 
-def _of_interface(table: InterfaceTable, header: str, place: Place, made: re.Match[str]) -> UnmadeHeader | None:
-    package, kind, stem, _ = made.groups()
+def _of_interface(table: InterfaceTable, header: str, place: Place, of_interface: re.Match[str]) -> UnmadeHeader | None:
+    package, kind, stem, _ = of_interface.groups()
     of_kind = KIND_OF_SUFFIX[kind]
     if "__" in stem:
         return None

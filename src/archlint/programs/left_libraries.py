@@ -22,12 +22,12 @@ def left_libraries(steps: Sequence[Step], words: frozenset[str]) -> Iterator[Lef
     if any("RPATH" in word for word in words) or not _INSTALLS_ITSELF.isdisjoint(words):
         return
     installed = _installed(steps)
-    made = {
+    libraries = {
         step.command.texts[0]: step
         for step in steps
         if step.command.name == "add_library" and "SHARED" in step.command.texts[1:2] and not step.conditional
     }
-    for name, step in made.items():
+    for name, step in libraries.items():
         if installed is None or name in installed or step.command.arguments[0].open or _is_named_elsewhere(steps, name):
             continue
         needed = next(_needing(steps, name, installed), None)

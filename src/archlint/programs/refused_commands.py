@@ -112,7 +112,7 @@ def _is_plain(command: Command) -> bool | None:
 
 def _made_twice(steps: Sequence[Step]) -> Iterator[RefusedCommand]:
     """The commands that make a target which another one has made before."""
-    made: dict[str, Step] = {}
+    makers: dict[str, Step] = {}
     for step in steps:
         command = step.command
         makes = command.name in ("add_executable", "add_library", _GENERATES)
@@ -121,7 +121,7 @@ def _made_twice(steps: Sequence[Step]) -> Iterator[RefusedCommand]:
         target = command.texts[0]
         if not _NO_TARGETS_OF_THEIR_OWN.isdisjoint(command.texts):
             continue
-        first = made.setdefault(target, step)
+        first = makers.setdefault(target, step)
         if first is not step:
             of_types = _GENERATES in (command.name, first.command.name)
             kind: Refusal = "types made twice" if of_types and command.name != first.command.name else "made twice"

@@ -77,7 +77,7 @@ def _parts_without(graph: Graph, cut: Hashable) -> Iterator[frozenset[Hashable]]
     seen: set[Hashable] = set()
     for vertex in graph[cut]:
         if vertex not in seen:
-            part = closure([vertex], lambda one: (other for other in graph[one] if other != cut))
+            part = closure([vertex], lambda other_vertex: (other for other in graph[other_vertex] if other != cut))
             seen |= part
             yield part
 

@@ -10,8 +10,8 @@ UNMERGED = "the marks of a merge are left in this file"
 
 def merge_in(text: str) -> int | None:
     """Where the first marks begin; None for a text without the marks of both sides."""
-    found = _MERGE.search(text)
-    return None if found is None else found.start()
+    marks = _MERGE.search(text)
+    return None if marks is None else marks.start()
 
 
 __all__ = ["UNMERGED", "merge_in"]

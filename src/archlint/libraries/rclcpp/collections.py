@@ -146,7 +146,11 @@ def _copy_of(run: Run, value: Value) -> Value:
 def _fields_of(run: Run, cls: ClassValue) -> list[str]:
     """The fields of a class, those of its bases among them."""
     given = (run.store.get(base.key, FIELDS) for base in cls.classes)
-    bodies = [one.ir.body for one in given if isinstance(one, FunctionValue) and isinstance(one.ir, facts.Function)]
+    bodies = [
+        method.ir.body
+        for method in given
+        if isinstance(method, FunctionValue) and isinstance(method.ir, facts.Function)
+    ]
     statements = (row for body in bodies for row in body)
     targets = (target for row in statements if isinstance(row, facts.Assign) for target in row.targets)
     return list(dict.fromkeys(target.attr for target in targets if isinstance(target, facts.Attribute)))

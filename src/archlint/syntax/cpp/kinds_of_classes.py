@@ -57,28 +57,28 @@ class KindsOfClasses(KindsOfTypes):
         if own in self.classes or own in self._aliases:
             self.classes[own] = None
             return
-        found = self.classes[own] = ClassOfFile(is_whole=not node.has_error)
+        own_class = self.classes[own] = ClassOfFile(is_whole=not node.has_error)
         for clause in (child for child in node.named_children if child.type == "base_class_clause"):
             kinds = [child for child in clause.named_children if child.type != "access_specifier"]
-            found.bases += [self.path(child) or ("?",) for child in kinds]
+            own_class.bases += [self.path(child) or ("?",) for child in kinds]
         for member in body.named_children:
-            self._note_member(found, member)
+            self._note_member(own_class, member)
 
-    def _note_member(self, found: ClassOfFile, node: Node) -> None:
+    def _note_member(self, own_class: ClassOfFile, node: Node) -> None:
         if node.type == "template_declaration" or node.type.startswith("preproc") or node.type == "using_declaration":
-            found.is_whole &= node.type == "template_declaration" and not node.has_error
+            own_class.is_whole &= node.type == "template_declaration" and not node.has_error
             for name in self._names_in(node):
-                found.methods[name] = [None]
-                found.fields[name] = None
+                own_class.methods[name] = [None]
+                own_class.fields[name] = None
             return
         if node.type not in ("field_declaration", "function_definition", "declaration"):
             return
         for variable in declared(node, self.names, self.source):
             if variable.is_function:
                 rows = parameters_of(variable.parameters)
-                found.methods.setdefault(variable.name, []).append(rows)
+                own_class.methods.setdefault(variable.name, []).append(rows)
             else:
-                found.fields[variable.name] = self.of_variable(variable, node.child_by_field_name("type"))
+                own_class.fields[variable.name] = self.of_variable(variable, node.child_by_field_name("type"))
 
     def _names_in(self, node: Node) -> Iterator[str]:
         waiting = [node]
@@ -90,10 +90,10 @@ class KindsOfClasses(KindsOfTypes):
 
     def node_kind(self, name: str) -> str:
         """Whether a class of the file is a node and nothing else: ``node``, ``lifecycle``, or empty."""
-        found = self.classes.get(name)
-        if found is None:
+        own_class = self.classes.get(name)
+        if own_class is None:
             return ""
-        bases = [base for base in found.bases if _HARMLESS not in base]
+        bases = [base for base in own_class.bases if _HARMLESS not in base]
         return NODES.get(bases[0], "") if len(bases) == 1 else ""
 
     def of_variable(self, variable: Declared, type_: Node | None) -> Kind | None:

@@ -75,8 +75,8 @@ class Kinds(KindsOfClasses):
             return None
         if self.owner not in self.classes:
             return Kind((name,), owner=self.owner)
-        found = self.classes[self.owner]
-        return None if found is None else found.fields.get(name)
+        own_class = self.classes[self.owner]
+        return None if own_class is None else own_class.fields.get(name)
 
     def of(self, node: Node | None) -> Kind | None:
         """The kind of a value."""

@@ -88,8 +88,8 @@ class CallLowering(MethodLowering):
             return facts.Opaque("a call", span)
         value = self.lower(owner)
         part = self.names.parts(field)[-1]
-        if part.name == "reset" and (made := self.held_from_now(value, arguments, span)) is not None:
-            return made
+        if part.name == "reset" and (held := self.held_from_now(value, arguments, span)) is not None:
+            return held
         if part.name == "append" and arguments.named_child_count == 1 and self._is_text(owner):
             return facts.Binary("+", value, self.lower(arguments.named_children[0]), span)
         return self._on(value, part, arguments, span, self.source.span(function), owner)

@@ -135,7 +135,7 @@ class DeclarationLowering(CallLowering):
             return
         looked_up = self.looked_up(node, variable.span)
         if isinstance(looked_up, facts.Subscript):
-            self.names.scopes[-1].found[variable.name] = looked_up.value, looked_up.index
+            self.names.scopes[-1].iterators[variable.name] = looked_up.value, looked_up.index
 
     def _copied(self, value: Expr, span: Span) -> Expr:
         """A value, as a copy where it is a profile of rmw: a variable that holds it may be changed."""

@@ -169,9 +169,9 @@ class ExpressionLowering:
         name = self.names.parts(field)[-1].name
         if isinstance(value, facts.Name) and name in _OF_PAIR and self.names.is_pair(value.id):
             return facts.Subscript(value, facts.Literal(_OF_PAIR[name], span), span)
-        found = self.names.found_in(value.id) if isinstance(value, facts.Name) and name in _OF_PAIR else None
-        if found is not None:
-            return facts.Subscript(*found, span) if name == "second" else found[1]
+        looked_for = self.names.found_in(value.id) if isinstance(value, facts.Name) and name in _OF_PAIR else None
+        if looked_for is not None:
+            return facts.Subscript(*looked_for, span) if name == "second" else looked_for[1]
         return facts.Attribute(value, name, span)
 
     def looked_up(self, node: Node, span: Span) -> Expr | None:

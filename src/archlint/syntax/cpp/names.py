@@ -67,7 +67,7 @@ class FunctionScope:
     """Variables of the type ``rclcpp::NodeOptions``."""
     pairs: set[str] = field(default_factory=set)
     """Variables of loops that hold pairs, such as the items of a map."""
-    found: dict[str, tuple[Expr, Expr]] = field(default_factory=dict)
+    iterators: dict[str, tuple[Expr, Expr]] = field(default_factory=dict)
     """Variables that hold what ``names.find(key)`` gives: of which map, and for which key."""
     packs: set[str] = field(default_factory=set)
     """Its parameters that take any number of arguments, ``Names... names``."""
@@ -138,14 +138,14 @@ class Names:
 
     def found_in(self, name: str) -> tuple[Expr, Expr] | None:
         """The map that a variable was looked up in, and the key."""
-        return next((scope.found[name] for scope in reversed(self.scopes) if name in scope.found), None)
+        return next((scope.iterators[name] for scope in reversed(self.scopes) if name in scope.iterators), None)
 
     def forget_found(self, name: str) -> None:
         """A variable holds something else from now on: it may be what was found, the map or the key."""
         for scope in self.scopes:
-            for found, parts in [*scope.found.items()]:
-                if name == found or any(isinstance(part, facts.Name) and part.id == name for part in parts):
-                    del scope.found[found]
+            for iterator, parts in [*scope.iterators.items()]:
+                if name == iterator or any(isinstance(part, facts.Name) and part.id == name for part in parts):
+                    del scope.iterators[iterator]
 
     def is_pair(self, name: str) -> bool:
         """Whether a variable holds a pair, as far as a loop says."""

@@ -57,10 +57,10 @@ class RefusedUses(RefusedObjects):
         part = self._kinds.names.parts(called)[-1]
         if part.name not in CREATED or not part.arguments or kept.path[:1] != ("rclcpp",):
             return
-        made = self._kinds.path(part.arguments[0])
-        both = kept.path == ("rclcpp", CREATED[part.name]) and _is_of_interface(kept.of) and _is_of_interface(made)
-        if both and kept.of != made:
-            self._note("created type", called, "::".join(kept.of), "::".join(made))
+        created = self._kinds.path(part.arguments[0])
+        both = kept.path == ("rclcpp", CREATED[part.name]) and _is_of_interface(kept.of) and _is_of_interface(created)
+        if both and kept.of != created:
+            self._note("created type", called, "::".join(kept.of), "::".join(created))
 
     def declaration(self, node: Node) -> None:
         """A parameter that is taken for its value: ``double rate = get_parameter("rate");``."""

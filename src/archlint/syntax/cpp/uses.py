@@ -42,9 +42,9 @@ def uses_of(source: SourceText, names: Names, root: Node) -> tuple[list[MemberUs
     walk.visit(root, 0)
     fields = [
         TypedField(owner, name, list(kind.path), kind.holder)
-        for owner, found in walk.kinds.classes.items()
-        if found is not None
-        for name, kind in found.fields.items()
+        for owner, cls in walk.kinds.classes.items()
+        if cls is not None
+        for name, kind in cls.fields.items()
         if kind is not None and is_interface(kind.path)
     ]
     return walk.asked, fields, walk.refused.found
