@@ -322,6 +322,20 @@ def test_a_module_whose_name_is_a_known_one_but_for_a_slip(
     assert finding.message.endswith(f": the import fails; did you mean {meant}?")
 
 
+def test_a_slip_in_two_imports_is_one_finding(findings: Callable[..., list[Finding]]) -> None:
+    """What is not imported under its right name is no finding of its own."""
+    talker = TALKER.format(line="import rlcpy\nfrom rlcpy.node import Node").replace("\nimport rclpy\n", "\n")
+    files = {"setup.py": SETUP, "robot/__init__.py": "", "robot/talker.py": talker}
+    (finding,) = findings("API006", **files)
+    assert finding.message.endswith("did you mean rclpy?; another import of the file does the same")
+    assert findings("API005", **files) == []
+
+
+def test_the_whole_import_is_advised(said: Callable[..., list[Finding]]) -> None:
+    (finding,) = said("from rlcpy.node import Node")
+    assert finding.help == "write `from rclpy.node import Node`"
+
+
 @pytest.mark.parametrize(
     "line", ["import serialx", "import tarantula", "import gpytorch", "import cv_bridge3", "import turtlebot5_msgs"]
 )

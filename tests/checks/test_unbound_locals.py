@@ -116,6 +116,14 @@ def test_a_value_that_comes_only_later(judge: Judge):
     )
 
 
+def test_a_value_that_is_made_of_itself(judge: Judge):
+    (finding,) = judge("API005", _node("first = first[0]  # here", "print(first)"))
+    assert finding.message == (
+        "nothing gives 'first' a value before this line, which reads it first: it fails with an UnboundLocalError"
+    )
+    assert (finding.help, finding.related) == ("give first a value before", ())
+
+
 def test_a_value_that_only_another_branch_gives(judge: Judge):
     branches = ("if message.data:", "    for i in range(3):", "        print(i)", "else:", "    print(i)  # here")
     (finding,) = judge("API005", _node(*branches))

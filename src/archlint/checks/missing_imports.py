@@ -44,8 +44,12 @@ def _finding(missing: MissingImport) -> Finding:
     else:
         message = f"there is no module {module}: the import fails{meant(missing.near)}"
         help = f"import {missing.near}" if missing.near else "correct the name, or add the file"
+        help = f"write `from {missing.near} import {', '.join(missing.names)}`" if missing.names else help
     kind = "beside" if missing.beside else "present" if missing.present else ""
     kind = f"interfaces of {module}" if missing.interfaces else kind
+    top = module.partition(".")[0]
+    if missing.near.partition(".")[0] not in ("", top):
+        kind = f"slip of {top}"  # whoever writes it right in one line, does so in all
     return finding(
         "API006",
         missing.place,

@@ -14,6 +14,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
 from archlint.checks.unported import is_part_of_port, told_of_rospy
 from archlint.finding import Finding, Related, Severity
+from archlint.packaging.missing_imports import missing_imports
 from archlint.python_code.how_imported import defined_beside, idle_import_with, import_of, interface_meant
 from archlint.python_code.names_meant import exception_meant, first_use, node_class_meant
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
@@ -37,7 +38,12 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
         leaders: dict[tuple[str, object], str] = {}
         stray, unported = stray_methods(system.workspace), told_of_rospy(system)
         yield from map(_outside_of_classes, stray)
+        misspelt = {
+            (row.place.file, row.near.partition(".")[0]) for row in missing_imports(system.workspace) if row.near
+        }
         for read in undefined_names(system.workspace):
+            if (read.place.file, read.name) in misspelt:
+                continue  # API006 tells the slip in the import of that name
             if stops_a_launch(system.workspace, read):
                 continue  # LCH008 tells all names of that statement
             if any(method.holds(read.place) for method in stray):
@@ -79,6 +85,8 @@ def _outside_of_classes(method: StrayMethod) -> Finding:
 def _too_early(read: UnboundLocal) -> Finding:
     if read.hidden:
         return _hiding(read)
+    if read.own_assignment:
+        return _in_own_assignment(read)
     elsewhere = (read.assigned.line, read.assigned.column) < (read.place.line, read.place.column)
     reason = "gets a value only in another branch of" if elsewhere else "gets a value only later in"
     return finding(
@@ -87,6 +95,19 @@ def _too_early(read: UnboundLocal) -> Finding:
         f"'{read.name}' {reason} this function: this line fails with an UnboundLocalError",
         help=f"give {read.name} a value in this branch, too" if elsewhere else f"give {read.name} a value before",
         related=[Related(read.assigned, "it makes the name a variable of this function, wherever else it has a value")],
+        identity=(read.name, _EARLY),
+        group=(read.place.file, read.name, _EARLY),
+    )
+
+
+def _in_own_assignment(read: UnboundLocal) -> Finding:
+    """``first = first[0]``, with nothing before it."""
+    return finding(
+        "API005",
+        read.place,
+        f"nothing gives '{read.name}' a value before this line, which reads it first: it fails with an "
+        "UnboundLocalError",
+        help=f"give {read.name} a value before",
         identity=(read.name, _EARLY),
         group=(read.place.file, read.name, _EARLY),
     )

@@ -56,6 +56,8 @@ class MissingImport:
     """What the module is called now that its package has another name."""
     interfaces: str = ""
     """The module that has the ``name``, an interface, where it is imported from the package itself."""
+    names: tuple[str, ...] = ()
+    """What is imported from a module of which the top-level name is a slip."""
 
 
 @once
@@ -96,7 +98,7 @@ def _nowhere(
     if present is not None:
         return MissingImport(place, module, present=present)
     near = near_module(workspace, file, module)
-    return MissingImport(place, module, near=near) if near is not None else None
+    return MissingImport(place, module, near=near, names=tuple(names)) if near is not None else None
 
 
 @kept_for_each_file

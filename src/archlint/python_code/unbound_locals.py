@@ -19,6 +19,7 @@ from archlint.python_code.raising_helpers import never_returns
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, Edge, Kind, reach, without_exceptions
+from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import Itself, everything_in, parts_of
 
 if TYPE_CHECKING:
@@ -52,6 +53,8 @@ class UnboundLocal:
     caught: Place | None = None
     hidden: str = ""
     """What of the file has the same name, if it is a class or a function: nobody can mean it in this function."""
+    own_assignment: bool = False
+    """Whether the assignment that comes first reads it: ``first = first[0]``."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +64,7 @@ class _Row:
     assigned: facts.Span
     caught: facts.Span | None = None
     hidden: str = ""
+    own_assignment: bool = False
 
 
 def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
@@ -73,7 +77,8 @@ def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
             caught = None if row.caught is None else Place(path, *row.caught)
             if caught is not None and _raises(workspace, Place(path, *row.span), caught):
                 continue
-            yield UnboundLocal(Place(path, *row.span), row.name, Place(path, *row.assigned), caught, row.hidden)
+            assigned = Place(path, *row.assigned)
+            yield UnboundLocal(Place(path, *row.span), row.name, assigned, caught, row.hidden, row.own_assignment)
 
 
 def _raises(workspace: WorkspaceIndex, read: Place, caught: Place) -> bool:
@@ -118,7 +123,9 @@ def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iter
         first = bound[name][0][1]
         early = _never_before(blocks, rows)
         if early is not None:
-            yield _Row(name, early.span, first)
+            statement = bound[name][0][0].statement
+            own = isinstance(statement, facts.Assign) and covers(statement, early.span)
+            yield _Row(name, early.span, first, own_assignment=own)
             continue
         for attempt in parts_of(function.body, facts.Try):
             told = _told_elsewhere(function, attempt)
