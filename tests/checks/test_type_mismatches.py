@@ -154,6 +154,26 @@ def test_the_subscription_that_disagrees_with_the_publisher_is_told():
     assert [related.message.split()[0] for related in finding.related] == ["/a", "/c"]
 
 
+@pytest.mark.parametrize(
+    ("name", "shared", "expected"),
+    [("x_raw", True, Severity.INFO), ("x_other", True, Severity.ERROR), ("x_raw", False, Severity.ERROR)],
+    ids=["it works", "nobody publishes there", "another callback"],
+)
+def test_a_node_that_tries_two_names_with_one_callback(name: str, shared: bool, expected: Severity):
+    source = node("/a", publisher("x", "p/msg/One"), publisher("x_raw", "p/msg/Two"))
+    judged = system(
+        source, node("/b", subscriber("x", "p/msg/Two"), subscriber(name, "p/msg/Two")), name="all.launch.py"
+    )
+    first, second = [end.creation for end in judged.endpoints if end.node.name == "/b"]
+    if shared:
+        second.callbacks = first.callbacks
+
+    [finding] = found(topic_type_mismatch, judged)
+
+    assert finding.severity is expected
+    assert (finding.help or "").startswith("remove this subscription") is (expected is Severity.INFO)
+
+
 def test_an_end_that_has_a_partner_of_its_type_is_not_what_is_wrong():
     """A bridge is given the wrong type, and another one in the same launch file the right one."""
     wrong = node("/bridge", subscriber("x", "p/msg/Two"), publisher("x", "p/msg/Two"))

@@ -19,7 +19,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.connections.lessons import is_lesson
 from archlint.finding import Finding, Related, Severity
-from archlint.model import EntityKind
+from archlint.model import EntityKind, Role
 from archlint.suggestions import listed
 
 if TYPE_CHECKING:
@@ -87,6 +87,9 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             ]
             diagnostic = _mismatch(code, connection, together or pairs[types])
             unsure = not together or _are_at_home(system, connection, together)
+            spare = _spare(system, connection, together)
+            if spare is not None:
+                diagnostic = _beside_another(diagnostic, spare)
             yield _if_both_run(diagnostic) if unsure else diagnostic
 
 
@@ -193,6 +196,34 @@ def _are_at_home(system: System, connection: Connection, pairs: list[tuple[Endpo
             for end in connection.providers
         )
         for user in users
+    )
+
+
+def _spare(system: System, connection: Connection, pairs: Sequence[tuple[Endpoint, Endpoint]]) -> Endpoint | None:
+    """The subscription that works of those which a node makes of one type with one callback, where it tries several
+    names, ``costmap`` and ``costmap_raw``: the one that disagrees is there in case that the other has no publisher."""
+    users = list(dict.fromkeys(end for pair in pairs for end in pair if end in connection.users))
+    if len(users) != 1 or connection.kind != "topic":
+        return None
+    callback = users[0].creation.callbacks.get(Role.SUBSCRIPTION)
+    for other in users[0].node.endpoints:
+        if other is users[0] or other.kind != users[0].kind or other.type != users[0].type:
+            continue
+        own = other.creation.callbacks.get(Role.SUBSCRIPTION)
+        there = system.topics.get(other.name or "")
+        if callback is None or own is None or own.place != callback.place or there is None or there is connection:
+            continue
+        if any(end.type == other.type for end in there.providers):
+            return other
+    return None
+
+
+def _beside_another(diagnostic: Finding, spare: Endpoint) -> Finding:
+    return replace(
+        diagnostic,
+        help=f"remove this subscription: the one to '{spare.name}' has the same callback, and a publisher of its type",
+        related=(*diagnostic.related, Related(spare.place, f"this subscription to '{spare.name}' gets messages")),
+        severity=Severity.INFO,
     )
 
 
