@@ -505,6 +505,18 @@ def test_a_thread_that_waits_does_not_keep_the_node(judge: Judge, start: str, wh
     assert found.message.endswith(who)
 
 
+def test_a_program_that_waits_while_a_thread_spins(judge: Judge):
+    main = (
+        "demo = Demo()\n        executor = MultiThreadedExecutor()\n        executor.add_node(demo)\n"
+        "        threading.Thread(target=executor.spin, daemon=True).start()\n        demo.run()"
+    )
+    text = IN_A_THREAD.replace("{start}", "pass").replace("rclpy.spin(Demo())", main)
+    text = text.replace("self.tick()\n\n\n", "pass\n\n\n")
+    text = text.replace("import rclpy\n", "import rclpy\n    from rclpy.executors import MultiThreadedExecutor\n", 1)
+    [found] = judge("TMO004", text)
+    assert found.message.endswith("this thread does nothing else")
+
+
 SEVERAL_WAITS = """
     import rclpy
     from rclpy.node import Node

@@ -48,7 +48,7 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     for calls, end in _endless_loops(system, options.distros, start_up=options.flag("start-up")):
         # A round of the loop that awaits asyncio's sleep raises, as EXE010 says, and ends it.
         if raising.isdisjoint(code.calls_in(calls[0].loops[-1])):
-            yield _endless(system, calls, end)
+            yield _endless(system, calls, end, beside=_spin_beside(system, calls[0]))
 
 
 def endless_in_callbacks(system: System, distros: Sequence[str]) -> frozenset[Place]:
@@ -89,15 +89,24 @@ def _endless_loops(
             yield [call for call in loops[key] if call.place.span in end.spans], end
 
 
-def _endless(system: System, calls: Sequence[ApiCall], end: LoopEnd) -> Finding:
-    """A callback that loops blocks its node; a program that starts up has nothing else to do yet."""
+def _spin_beside(system: System, call: ApiCall) -> bool:
+    """Whether an executor in a thread of its own runs the callbacks of the node that a loop is for."""
+    node = call.node or call.context.node
+    uses = (use for program in system.programs for use in program.executors)
+    return node is not None and any(use.in_thread and node in use.nodes for use in uses)
+
+
+def _endless(system: System, calls: Sequence[ApiCall], end: LoopEnd, *, beside: bool) -> Finding:
+    """A callback that loops blocks its node; a program that starts up has nothing else to do yet, unless something
+    spins ``beside`` it."""
     in_callback = [call for call in calls if runs_in_executor(call.context)]
     call = (in_callback or calls)[0]
     alike = [other for other in calls if other.context is call.context]
     ready = "server_is_ready" if kind_of(call) == "action" else "service_is_ready"
     stands = "the callback does not return and blocks its thread"
     if not in_callback:
-        stands = "this thread does nothing else" if call.context.role == Role.THREAD else "the node does nothing else"
+        alone = call.context.role == Role.THREAD or beside
+        stands = "this thread does nothing else" if alone else "the node does nothing else"
     diagnostic = finding(
         "TMO004",
         call.place,
