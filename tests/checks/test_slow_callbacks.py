@@ -11,7 +11,7 @@ from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
 from checks.callbacks import ON_ONE_THREAD, ON_SEVERAL_THREADS, Run, codes, source
-from robot_package import SETUP, TALKER
+from robot_package import SETUP, TALKER, write_robot
 
 ALONE = "self.create_timer(5.0, self.tick)\n"
 TIMER = "self.create_subscription(Empty, 'beside', print, 10)\n" + ALONE
@@ -562,6 +562,24 @@ def test_what_a_callback_does_last_before_it_raises(run: Run, lines: list[str], 
     brake = "\ndef brake(self):\n    time.sleep(0.5)\n"
     text = source("self.hot = load_state()\n" + TIMER, timer("\n    ".join(lines)) + brake)
     assert [code for code in codes(run(text)) if code == "EXE003"] == expected
+
+
+@pytest.mark.parametrize(
+    ("imported", "project", "told"),
+    [("camera_sdk", True, 0), ("camera_sdk", False, 1), ("robot.third_party.camera_sdk", True, 1)],
+    ids=["a copy of a library", "code of the package", "the copy itself"],
+)
+def test_a_wait_in_a_library_that_pip_may_have_installed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, imported: str, project: bool, told: int
+):
+    text = f"from {imported}.device import grab\n" + source(TIMER, timer("grab()"))
+    texts = {"third_party/camera_sdk/device": "import time\n\n\ndef grab():\n    time.sleep(2.0)\n", "talker": text}
+    files = {f"robot/{name}.py": text for name, text in texts.items()}
+    files |= {"robot/third_party/pyproject.toml": "[project]\nname = 'camera_sdk'\n"} if project else {}
+    write_robot(tmp_path, **files)
+    monkeypatch.chdir(tmp_path)
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert len([one for one in found if one.code == "EXE003"]) == told
 
 
 def test_a_wait_in_a_helper_of_another_package_is_told_where_it_is_called(tmp_path, monkeypatch):

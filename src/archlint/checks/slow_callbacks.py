@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -41,6 +42,7 @@ from archlint.execution.states import leaves_its_state
 from archlint.execution.stuck import clients_of_handlers, functions_that_ask
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
+from archlint.packaging.inner_distributions import is_imported_by_its_own_name
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Program
@@ -65,7 +67,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     turning = {id(call.context) for _, call in judged_calls(system) if _turns(call)}
     functions: dict[tuple[str, str], dict[Place, LongStay]] = {}
     for program, call, stay in long_stays(system):
-        if _is_for_others(call, stay):
+        if _is_for_others(call, stay) or _is_in_a_copied_library(system, call):
             continue
         if not endless.isdisjoint(call.loops):
             continue  # EXE009 says that the loop never ends, or TMO004 what alone ends it
@@ -113,6 +115,14 @@ def _is_for_others(call: ApiCall, stay: Stay) -> bool:
     has failed."""
     is_sleep_of_handler = call.context.role == Role.SERVICE and stay.kind == "sleep"
     return is_sleep_of_handler or call.context.role == Role.LIFECYCLE or call.cleaning
+
+
+def _is_in_a_copied_library(system: System, call: ApiCall) -> bool:
+    """Whether a way to a call leads into a library that lies in the package and that pip may have installed as well:
+    nobody knows which copy the import finds."""
+    workspace, files = system.workspace, [*(frame.place.file for frame in call.chain), call.file]
+    ways = {(importer, file) for importer, file in pairwise(files) if file != importer}
+    return workspace is not None and any(is_imported_by_its_own_name(workspace, *way) for way in sorted(ways))
 
 
 _BRIEF = 0.2
