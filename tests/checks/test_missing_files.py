@@ -86,6 +86,24 @@ def test_a_path_that_is_right_once_the_folder_is_installed(findings, folders: st
     assert [one.message for one in other] == ["package 'robot' has no parameter file 'config/tall.yaml'"]
 
 
+@pytest.mark.parametrize(
+    ("folders", "path", "told"),
+    [
+        ("launch config", "config/talk.yaml", 0),  # the build stops, and PKG004 says so
+        ("launch config", "config/deep/talk.yaml", 0),
+        ("launch config/deep", "config/deep/talk.yaml", 0),
+        ("launch config/deep", "config/talk.yaml", 1),
+        ("launch", "config/talk.yaml", 1),
+    ],
+)
+def test_a_folder_that_the_build_lists_and_that_is_not_there(findings, folders: str, path: str, told: int):
+    cmake = f"project(robot)\ninstall(DIRECTORY {folders} DESTINATION share/robot)\nament_package()\n"
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": ""}
+    launch = node(f'<param from="$(find-pkg-share robot)/{path}"/>')
+    assert len(findings("LCH004", launch, **files)) == told
+    assert len(findings("PKG004", launch, **files)) == (folders != "launch")
+
+
 def test_one_file_that_is_looked_for_in_two_folders(findings):
     """No one line installs it into both."""
     cmake = "project(robot)\ninstall(DIRECTORY launch DESTINATION share/robot)\nament_package()\n"

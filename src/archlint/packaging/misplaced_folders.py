@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.packaging.uninstalled_files import listed_in_vain
+from archlint.workspace.folders import folders_above
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -28,13 +29,15 @@ def folder_meant(workspace: WorkspaceIndex, package: str, folder: str) -> str | 
 
 
 def is_told_with_its_folder(workspace: WorkspaceIndex, package: str, path: str) -> bool:
-    """Whether the build of a package lists the folder of a missing file in vain, and the one that is meant has the
-    file: that is said of the build (PKG004), and cures both."""
-    installs, (folder, _, rest) = workspace.installs.get(package), path.partition("/")
-    if installs is None or not rest or (package, folder) not in _folders_in_vain(workspace):
+    """Whether the build of a package lists the folder of a missing file in vain: that is said of the build (PKG004),
+    and cures both, unless the one that is meant has not got the file."""
+    installs = workspace.installs.get(package)
+    folder = next((above for above in folders_above(path) if (package, above) in _folders_in_vain(workspace)), "")
+    if installs is None or not folder:
         return False
     right = folder_meant(workspace, package, folder)
-    return right is not None and workspace.tree.is_file(posixpath.join(installs.folder, right, rest))
+    rest = path.removeprefix(f"{folder}/")
+    return right is None or workspace.tree.is_file(posixpath.join(installs.folder, right, rest))
 
 
 @once
