@@ -205,6 +205,23 @@ def test_what_a_board_of_switches_leaves_out(findings, switches: tuple[str, ...]
     assert len(findings("LCH008", **file)) == told
 
 
+@pytest.mark.parametrize(
+    ("name", "package", "program", "told"),
+    [
+        ("slam_node", "nav2_amcl", "amcl", 0),
+        ("slam_node", "nav2_map_server", "map_server", 1),  # may show a map that SLAM has nothing to do with
+        ("amcl_node", "slam_toolbox", "async_slam_toolbox_node", 0),
+        ("joint_state_publisher", "joint_state_publisher_gui", "joint_state_publisher_gui", 0),
+        ("joint_state_publisher_gui", "joint_state_publisher", "joint_state_publisher", 0),
+        ("joint_state_publisher", "robot_state_publisher", "robot_state_publisher", 1),
+    ],
+)
+def test_an_action_of_which_the_file_starts_another_choice(findings, name, package, program, told):
+    made = f"{name} = Node(package='robot', executable='talker')\n    "
+    started = f"return LaunchDescription([talker, Node(package='{package}', executable='{program}')])"
+    assert len(findings("LCH008", **_file(made + started))) == told
+
+
 def test_what_is_made_beside_an_action_that_is_put_aside(findings):
     made = "planner = Node(package='robot', executable='planner')\n    return LaunchDescription([{}])"
     assert findings("LCH008", **_file(made.format("\n        # talker,\n    "))) == []

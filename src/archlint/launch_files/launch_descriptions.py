@@ -41,7 +41,10 @@ def wrong_descriptions(system: System) -> Iterator[tuple[str, WrongDescription]]
             rows = [wrong for wrong in rows if wrong.kind != Wrong.NOT_ADDED]
         aside = {wrong.of for wrong in rows if _is_put_aside(workspace, file, wrong)}
         for wrong in rows:
-            if wrong.kind != Wrong.NOT_ADDED or not (wrong.of in aside or _is_idle(workspace, launched, wrong)):
+            left = wrong.kind == Wrong.NOT_ADDED and (
+                wrong.of in aside or _is_idle(workspace, launched, wrong) or _is_another_choice(launched, wrong)
+            )
+            if not left:
                 yield file, wrong
 
 
@@ -121,6 +124,27 @@ def _is_idle(workspace: WorkspaceIndex, launched: Launched, wrong: WrongDescript
         and wrong.argument not in launched.read
         and not may_be_read(workspace, launched, wrong.argument)
     )
+
+
+_LOCALISATION = frozenset({"amcl"})
+_MAPPING = frozenset({"async_slam_toolbox_node", "cartographer_node", "localization_slam_toolbox_node"}) | {
+    "sync_slam_toolbox_node"
+}
+_CHOICES = (
+    (re.compile(r"slam|cartographer|mapping"), _LOCALISATION),
+    (re.compile(r"amcl|locali[sz]ation|map_server"), _MAPPING),
+    (re.compile(r"joint_state_publisher(?!_?gui)"), frozenset({"joint_state_publisher_gui"})),
+    (re.compile(r"joint_state_publisher_?gui"), frozenset({"joint_state_publisher"})),
+)
+"""Names of what one of some programs takes the place of: where that runs, somebody has chosen it."""
+
+
+def _is_another_choice(launched: Launched, wrong: WrongDescription) -> bool:
+    """Whether an action that nothing adds is for what the launch file has another program for, as AMCL with a map takes
+    the place of SLAM: both would send the same transform."""
+    name = wrong.given.lower()
+    instead = [programs for word, programs in _CHOICES if word.search(name)]
+    return any(started.executable.text in programs for programs in instead for started in launched.started)
 
 
 def _is_put_aside(workspace: WorkspaceIndex, file: str, wrong: WrongDescription) -> bool:
