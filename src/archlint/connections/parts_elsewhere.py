@@ -84,14 +84,20 @@ def is_fetched(workspace: WorkspaceIndex, package: str) -> bool:
 def may_be_in_a_submodule(workspace: WorkspaceIndex, package: str) -> bool:
     """Whether the name of a git submodule that is not checked out has the word with which that of a package begins:
     ``arm_ros`` may bring ``arm_description``, and so may ``acme_arm``.  Or whether it has the whole name of the package
-    in it: ``ros-imu-bno`` brings ``imu_bno``.  One that no ``.gitmodules`` names is an empty folder."""
+    in it: ``ros-imu-bno`` brings ``imu_bno``.  One that no ``.gitmodules`` names is an empty folder or file."""
     first, *others = words = re.split(r"[_-]", package.lower())
     absent = _absent_submodules(workspace)
-    if any(workspace.tree.is_folder(posixpath.join(parent, package)) for parent in _parents_of_packages(workspace)):
+    beside = [posixpath.normpath(posixpath.join(parent, package)) for parent in _parents_of_packages(workspace)]
+    if any(workspace.tree.is_folder(path) or _is_link_of_git(workspace, path) for path in beside):
         return True
     if others and any(_has_in_a_row(re.split(r"[_-]", name.lower()), words) for name in absent):
         return True
     return len(first) > _SHORT and any(first in _submodule_words(name) for name in absent)
+
+
+def _is_link_of_git(workspace: WorkspaceIndex, path: str) -> bool:
+    """Whether there is an empty file in the place of a folder: what some archives have for a repository in another."""
+    return workspace.tree.is_file(path) and not workspace.tree.text(path)
 
 
 def _has_in_a_row(words: list[str], wanted: list[str]) -> bool:
