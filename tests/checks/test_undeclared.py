@@ -490,6 +490,33 @@ def test_a_launch_file_in_a_circle_is_not_moved_where_others_include_it(lint: Li
     assert (found.place.file, found.help) == ("talk/launch/drive.launch.xml", help)
 
 
+def including(*packages: str) -> str:
+    paths = [f"$(find-pkg-share {package})/launch/it.launch.xml" for package in packages]
+    return "".join(["<launch>", *(f'<include file="{path}"/>' for path in paths), "</launch>"])
+
+
+def test_circles_through_the_launch_file_of_one_package_are_one_finding(lint: Lint):
+    """The package of the messages starts all others; one of these uses another one without declaring it, too."""
+    files = {
+        "msgs/package.xml": manifest("msgs", *depends("rclpy")),
+        "msgs/launch/it.launch.xml": including("arm", "leg", "world"),
+        "world/package.xml": manifest("world", *depends("rclpy")),
+        "world/launch/it.launch.xml": including("arm"),
+        "mission/package.xml": manifest("mission", *depends("rclpy", "msgs")),
+        "mission/launch/it.launch.xml": including("msgs"),
+    }
+    for name in ("arm", "leg"):
+        files[f"{name}/package.xml"] = manifest(name, *depends("rclpy", "msgs"))
+        files[f"{name}/launch/it.launch.xml"] = f"<launch><node pkg='{name}' exec='run'/></launch>"
+    (found,) = lint(files, code="PKG003")
+    assert found.place.file == "msgs/launch/it.launch.xml"
+    assert found.message == "'msgs' uses 3 packages that depend on it, without declaring them: arm, leg, world"
+    assert found.help == (
+        "move the launch files that use it into a package of their own, such as msgs_bringup, and with them those of "
+        "other packages that include them"
+    )
+
+
 def test_a_package_that_closes_several_circles_is_told_once(lint: Lint):
     uses = node("import arm\nimport leg\nprint(arm, leg)")
     leg = {
@@ -1235,6 +1262,14 @@ def test_a_package_whose_folder_is_empty(lint: Lint, tmp_path: Path):
     (tmp_path / "secret_driver").mkdir()
     (found,) = lint(launching(started("secret_driver")))
     assert found.message == "package 'talk' starts a node of 'secret_driver', which its package.xml does not declare"
+
+
+def test_a_package_in_whose_place_is_an_empty_file(lint: Lint, tmp_path: Path):
+    """What some archives have for a repository in another one."""
+    (found,) = lint({**launching(started("secret_driver")), "secret_driver": ""})
+    assert found.message == "package 'talk' starts a node of 'secret_driver', which its package.xml does not declare"
+    (found,) = lint({**launching(started("secret_driver")), "secret_driver": "A note."})
+    assert "neither in this workspace" in found.message
 
 
 @pytest.mark.parametrize(("parameters", "told"), [("my_package", 0), ("talk", 1)])

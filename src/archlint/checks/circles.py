@@ -57,8 +57,9 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
     used = _used(workspace, options)
     needs = {name: {**used.get(name, {}), **declared[name]} for name in declared}
     by_user: dict[str, list[list[Step]]] = {}
-    for circle in _circles(needs, reported):
-        steps = _from_undeclared(circle, needs, used)
+    circles_left = [*_circles(needs, reported)]
+    for circle in circles_left:
+        steps = _from_undeclared(circle, circles_left, needs, used)
         by_user.setdefault(steps[0][0], []).append(steps)
     for circles in by_user.values():
         # Launch files that start each other's nodes are found when they run, whatever is built first.
@@ -106,11 +107,17 @@ def _declared_circle(circles: list[list[str]], needs: Needs, at_build: Needs) ->
     )
 
 
-def _from_undeclared(circle: list[str], needs: Needs, used: Needs) -> list[Step]:
-    """The steps of a circle that colcon does not see, from the one on that is not declared."""
+def _from_undeclared(circle: list[str], circles: Sequence[list[str]], needs: Needs, used: Needs) -> list[Step]:
+    """The steps of a circle that colcon does not see, from the one on that is not declared; of several such one of
+    code before one of a launch file, and that of the package that closes the most of all circles."""
+
+    def undeclared(steps: list[Step]) -> list[Step]:
+        return [step for step in steps if needs[step[0]][step[1]] == used.get(step[0], {}).get(step[1])]
+
+    users = Counter(user for other in circles for user in {step[0] for step in undeclared([*pairwise(other)])})
     steps = list(pairwise(circle))
-    at = next(
-        n for n, (package, other) in enumerate(steps) if needs[package][other] == used.get(package, {}).get(other)
+    at = steps.index(
+        max(undeclared(steps), key=lambda step: (not _are_of_launch([needs[step[0]][step[1]]]), users[step[0]]))
     )
     return steps[at:] + steps[:at]
 
@@ -184,10 +191,13 @@ def _cure(workspace: WorkspaceIndex, package: str, uses: list[Place], other: str
     """What to do about uses that a package does not declare: launch files need no home beside a library.  Those that
     other packages include would only take the circle along."""
     if _are_of_launch(uses):
-        if _are_included_elsewhere(workspace, package, {use.file for use in uses}):
-            there = f"a launch file of '{other}'" if other else "launch files of these packages"
-            return f"move what uses it from here to {there}: other packages include this file"
-        return f"move the launch files that use it into a package of their own, such as {package}_bringup"
+        bringup = f"move the launch files that use it into a package of their own, such as {package}_bringup"
+        if not _are_included_elsewhere(workspace, package, {use.file for use in uses}):
+            return bringup
+        if any(include.place in uses for launched in workspace.launched for include in launched.included):
+            return f"{bringup}, and with them those of other packages that include them"
+        there = f"a launch file of '{other}'" if other else "launch files of these packages"
+        return f"move what uses it from here to {there}: other packages include this file"
     return _SHARED
 
 
