@@ -8,13 +8,13 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_aside
 from archlint.checks.dependency_uses import brought_by
 from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.packaging.cmake_packages import cmake_packages
 from archlint.ros import packages
 from archlint.suggestions import did_you_mean, nearest
 from archlint.workspace.closure import closure
@@ -31,13 +31,7 @@ def unknown_cmake_name(system: System, options: Options) -> Iterator[Finding]:
     workspace = workspace_of(system)
     if workspace is None:
         return
-    for name in sorted(workspace.installs):
-        installs = workspace.installs[name]
-        package = workspace.manifests.get(installs.folder)
-        if package is None or package.name != name or package.build_type != "ament_cmake" or package.ros1:
-            continue
-        if is_aside(workspace, package.manifest.relative):
-            continue
+    for package, installs in cmake_packages(workspace):
         yield from (_variable(installs, named) for named in installs.unset_variables)
         yield from map(_command, installs.misspelt)
         if installs.unregistered_at is not None:

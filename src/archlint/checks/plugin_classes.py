@@ -20,24 +20,26 @@ def plugin_classes(workspace: WorkspaceIndex) -> Iterator[Finding]:
 
 
 def _component(row: MisnamedPlugin) -> Finding:
-    return finding(
-        "PKG002",
-        row.place,
+    return _finding(
+        row,
         f"the program of the component '{row.name}' cannot start: the package registers no class of that name, but "
         f"'{row.registered}', for which there is no program",
-        help=f"write '{row.registered}', or register the class under the name that stands here",
-        related=(Related(row.registered_at, "this class is registered here"),),
-        identity=(row.place.file, row.name),
-        meant=row.registered,
     )
 
 
 def _misnamed(row: MisnamedPlugin) -> Finding:
+    return _finding(
+        row,
+        f"the plugin '{row.name}' cannot be loaded: the package registers no class of that name for '{row.base}', but "
+        f"'{row.registered}', which no description names",
+    )
+
+
+def _finding(row: MisnamedPlugin, message: str) -> Finding:
     return finding(
         "PKG002",
         row.place,
-        f"the plugin '{row.name}' cannot be loaded: the package registers no class of that name for '{row.base}', but "
-        f"'{row.registered}', which no description names",
+        message,
         help=f"write '{row.registered}', or register the class under the name that stands here",
         related=(Related(row.registered_at, "this class is registered here"),),
         identity=(row.place.file, row.name),

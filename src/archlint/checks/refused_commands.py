@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_aside
 from archlint.checks.cmake_names import SYSTEM, found_with
 from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.packaging.cmake_packages import cmake_packages
 from archlint.ros import packages
 from archlint.workspace.closure import closure
 
@@ -26,14 +26,9 @@ def refused_command(system: System, options: Options) -> Iterator[Finding]:
     workspace = workspace_of(system)
     if workspace is None:
         return
-    for name in sorted(workspace.installs):
-        installs = workspace.installs[name]
-        package = workspace.manifests.get(installs.folder)
-        if package is None or package.name != name or package.build_type != "ament_cmake" or package.ros1:
-            continue
-        if not is_aside(workspace, package.manifest.relative):
-            yield from (_refused(installs, row) for row in installs.refused)
-            yield from _undefined(workspace, installs, options)
+    for _, installs in cmake_packages(workspace):
+        yield from (_refused(installs, row) for row in installs.refused)
+        yield from _undefined(workspace, installs, options)
 
 
 def _refused(installs: Installs, row: RefusedCommand) -> Finding:

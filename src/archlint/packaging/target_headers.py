@@ -12,8 +12,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_aside, is_disused
+from archlint.analysis.aside import is_disused
 from archlint.analysis.pinned import may_be_on_focal
+from archlint.packaging.cmake_packages import cmake_packages
 from archlint.packaging.cpp_includes import has_header, includes_of
 from archlint.place import Place
 from archlint.programs.built_targets import TYPE_SUPPORT
@@ -43,17 +44,9 @@ class HeaderNotGiven:
 
 def headers_not_given(workspace: WorkspaceIndex, brought_by: Brings) -> Iterator[tuple[Installs, HeaderNotGiven]]:
     """Each package of which a target lacks the headers."""
-    for name in sorted(workspace.installs):
-        installs = workspace.installs[name]
-        package = workspace.manifests.get(installs.folder)
-        if package is None or package.name != name or package.build_type != "ament_cmake" or package.ros1:
-            continue
-        if not installs.built or is_aside(workspace, package.manifest.relative):
-            continue
-        if any(
-            not named.package for named in installs.names_of_nothing
-        ):  # what a misspelt target is given, another lacks
-            continue
+    for _, installs in cmake_packages(workspace):
+        if any(not named.package for named in installs.names_of_nothing):
+            continue  # what a misspelt target is given, another lacks
         judge = _Judge(workspace, installs, brought_by)
         for target in installs.built:
             yield from ((installs, row) for row in judge.of(target))
