@@ -524,6 +524,27 @@ def test_what_nobody_can_run_fails_nowhere(tmp_path, monkeypatch, files, told: i
     assert len([finding for finding in rows if finding.code == "EXE004"]) == told
 
 
+@pytest.mark.parametrize(
+    ("start", "told"),
+    [
+        ("from std_msgs import Bool\n", ["API006"]),
+        ("from std_msgs.msg import Bool\n", ["API005"]),
+        ("def later():\n    from std_msgs import Bool\n\n\n", ["API006", "API005"]),
+    ],
+    ids=["it stops there", "it starts", "in a function"],
+)
+def test_a_script_that_nobody_installs_ends_with_its_imports(tmp_path, monkeypatch, start: str, told: list[str]):
+    files = {"package.xml": MANIFEST.strip(), "setup.py": SETUP.replace("{more}", ""), "robot/__init__.py": ""}
+    files |= {
+        "robot/driver.py": "def main(): pass\n",
+        "tools/rest.py": f"{start}{SLEEPS}\n\ndef other():\n    return missing\n",
+    }
+    write_files(tmp_path, files)
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), Settings(unused_files=True), cached=False, jobs=1)).findings
+    assert [row.code for row in rows if row.code in ("API006", "API005")] == told
+
+
 WRONG_CALL = """
 def rest(seconds): ...
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import posixpath
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
@@ -14,6 +15,7 @@ from archlint.checks.folding import all_sites, with_others
 from archlint.checks.registry import registered
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.absent_packages import is_from_nowhere
+from archlint.packaging.missing_imports import missing_imports
 from archlint.packaging.renamed_packages import is_no_package
 from archlint.python_code.how_imported import imports_file
 from archlint.syntax import facts
@@ -51,16 +53,43 @@ def without_dead_ends(findings: Sequence[Finding], files: AbstractSet[str], work
     """The findings without those about code in some files that nobody can run: what imports beside itself
     (``from .arm import Arm``) cannot be started by its path, and a folder without ``__init__.py`` is not installed.
     What imports interfaces of a package that is nowhere stops there.  So it is with a module that no program comes to
-    and that cannot be imported itself."""
+    and that cannot be imported itself.  Where an import of such a file finds nothing, nothing else fails in it."""
     dead = {file for file in files if _is_dead_end(workspace, file)}
     others = {finding.place.file for finding in findings if _is_about_calls(finding)} - files
     dead |= {file for file in others if _is_stillborn(workspace, file)}
+    ends = _first_missing(workspace, {each.place.file for each in findings if _is_about_calls(each)} & files)
     return [
         finding
         for finding in findings
         if not _is_about_calls(finding)
-        or not (finding.place.file in dead or _is_for_stillborn_alone(workspace, finding.place))
+        or not (
+            finding.place.file in dead
+            or (_is_about_failures(finding) and ends.get(finding.place.file, math.inf) < finding.place.line)
+            or _is_for_stillborn_alone(workspace, finding.place)
+        )
     ]
+
+
+_OF_IMPORTS = "API006"
+
+
+def _is_about_failures(finding: Finding) -> bool:
+    return finding.code.startswith("API") and finding.code != _OF_IMPORTS
+
+
+def _first_missing(workspace: WorkspaceIndex, files: AbstractSet[str]) -> dict[str, int]:
+    """The lines of the first imports that find nothing as files are loaded."""
+    ends: dict[str, int] = {}
+    for missing in missing_imports(workspace) if files else ():
+        place = missing.place
+        code = workspace.facts_at(place.file) if place.file in files else None
+        imports = [] if code is None else [part for part in code.body if isinstance(part, _IMPORTS)]
+        if any(part.span[:2] == (place.line, place.column) for part in imports):
+            ends[place.file] = min(place.line, ends.get(place.file, place.line))
+    return ends
+
+
+_IMPORTS = (facts.Import, facts.ImportFrom)
 
 
 def _is_dead_end(workspace: WorkspaceIndex, file: str) -> bool:
