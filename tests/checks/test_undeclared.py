@@ -690,6 +690,34 @@ def test_a_package_that_a_launch_file_names_and_that_is_nowhere(lint: Lint):
     assert (found.fix, found.place.line) == (None, 8)
 
 
+@pytest.mark.parametrize(
+    ("installed", "include", "told"),
+    [
+        ("glob('launch/*.launch.py')", "nav2_bringup", False),
+        ("glob('launch/*.launch.py')", "talk", True),
+        ("glob('launch/*.py')", "nav2_bringup", True),
+        ("['nothing.py']", "nav2_bringup", True),  # no launch file is installed: they are forgotten
+    ],
+)
+def test_a_launch_file_that_is_left_out_and_that_none_includes(lint: Lint, installed: str, include: str, told: bool):
+    path = f"get_package_share_directory('{include}') + '/launch/navigation_launch.py'"
+    action = f"IncludeLaunchDescription(PythonLaunchDescriptionSource({path}))"
+    head = "from launch.actions import IncludeLaunchDescription\n"
+    head += "from launch.launch_description_sources import PythonLaunchDescriptionSource\n"
+    setup = "from glob import glob\nfrom setuptools import setup\nsetup(name='talk', packages=['talk'],\n"
+    files = {
+        **launching(),
+        "talk/package.xml": manifest("talk", *depends("rclpy", "launch_ros", "nav2_bringup")),
+        "talk/launch/talk.launch.py": head + STARTS.format(action),
+        "talk/launch/navigation_launch.py": STARTS.format(started("usb_cam")),
+        "talk/setup.py": f"{setup}      data_files=[('share/talk/launch', {installed})])\n",
+        "talk/talk/__init__.py": "",
+        "talk/talk/a.py": node("from ackermann_msgs.msg import AckermannDrive"),
+    }
+    (found,) = lint(files)
+    assert missing([found]) == (["ackermann_msgs", "usb_cam"] if told else ["ackermann_msgs"])
+
+
 @pytest.mark.parametrize("name", ["secret_driver", "secret-driver", "secretdriver"])
 def test_a_package_that_a_list_of_repositories_brings(lint: Lint, name):
     listed = f"repositories:\n  {name}:\n    type: git\n    url: https://example.org/it.git\n"

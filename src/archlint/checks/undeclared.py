@@ -20,6 +20,7 @@ from archlint.connections.parts_elsewhere import is_fetched, may_be_in_a_submodu
 from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
 from archlint.packaging.skipped_packages import skipped_packages
+from archlint.packaging.uninstalled_files import is_left_out_launch_file
 from archlint.packaging.unused_files import nothing_runs
 from archlint.ros import packages, rosdep
 from archlint.rulebook import rules
@@ -46,6 +47,7 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
         yield from strangers(workspace, workspace.manifests[folder], uses)
         renamed = names_meant(workspace, workspace.manifests[folder], options)  # PKG008 tells to write these
         uses = [use for use in uses if _is_somewhere(workspace, use.needed) and use.needed not in renamed]
+        uses = [use for use in uses if not _is_in_launch_file_left_out(workspace, use.place.file)]
         uses.sort(key=lambda use: _spare(workspace, use.place.file))
         hidden = [use for use in uses if _is_hidden(workspace, use)]
         # What a comment allows is a finding of its own, for the comment to hide.
@@ -66,6 +68,12 @@ def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
         or may_be_in_a_submodule(workspace, name)
         or may_come_with_another(workspace, name)
     )
+
+
+def _is_in_launch_file_left_out(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file is a launch file that its package leaves out while it installs others, and that none includes and
+    no document starts: the package does not need what is in it."""
+    return workspace.launch_files.can_be_launched(file) and is_left_out_launch_file(workspace, file)
 
 
 def _spare(workspace: WorkspaceIndex, file: str) -> int:

@@ -84,8 +84,15 @@ def is_left_out_launch_file(workspace: WorkspaceIndex, file: str) -> bool:
         return False
     name = posixpath.basename(file)
     commanded = any(name in (posixpath.basename(first), second) for first, second, _ in _commands(workspace))
-    named = any(name in (workspace.tree.text(other) or "") for other in _all_launch_files(workspace) if other != file)
-    return not commanded and not named
+    naming = (other for other in _all_launch_files(workspace) if name in (workspace.tree.text(other) or ""))
+    return not commanded and all(other == file or _is_elsewhere(workspace, other, name) for other in naming)
+
+
+def _is_elsewhere(workspace: WorkspaceIndex, file: str, name: str) -> bool:
+    """Whether a launch file means by the name of another one that of a package which is not here."""
+    named = [row for launched in workspace.launched for row in launched.references if row.place.file == file]
+    rows = [row for row in named if posixpath.basename(row.written or "") == name]
+    return bool(rows) and all(row.status == FileStatus.EXTERNAL for row in rows)
 
 
 def _is_forgotten(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
