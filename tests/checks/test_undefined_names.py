@@ -641,3 +641,71 @@ def test_what_runs_on_windows_alone(judge: Judge, test: str) -> None:
         f"import sys\n        if {test}:\n            print(elapsed)\n        else:\n            print(passed)  # here"
     )
     judge("API005", OF_ROS_1.replace("{line}", line))
+
+
+CALLBACK = """
+import rclpy
+from rclpy.node import Node
+
+
+class Talker(Node):
+    limit = 3
+
+    def __init__(self):
+        super().__init__('talker')
+        self.sub = self.create_subscription(String, 'chatter', self.hear, 10)
+
+    {definition}
+        print(message)
+
+
+class Other:
+    pass
+
+
+rclpy.init()
+rclpy.spin(Talker())
+"""
+IMPORTED = CALLBACK.replace("import rclpy\n", "import rclpy\nfrom std_msgs.msg import String\n", 1)
+
+
+@pytest.mark.parametrize(
+    ("definition", "name"),
+    [
+        ("def hear(self, message: Strin):", "Strin"),
+        ("def hear(self, message: list[Strin]):", "Strin"),
+        ("def hear(self, message, *rest: Missing):", "Missing"),
+        ("def hear(self, message) -> Missing:", "Missing"),
+    ],
+)
+def test_a_name_in_an_annotation_of_a_function(judge: Judge, definition: str, name: str) -> None:
+    (finding,) = judge("API005", IMPORTED.format(definition=f"{definition}  # here"))
+    assert finding.message.startswith(f"nothing defines '{name}': this line fails with a NameError")
+
+
+def test_a_name_in_an_annotation_and_in_the_code_is_one_finding(judge: Judge) -> None:
+    text = CALLBACK.format(definition="def hear(self, message: String):")
+    (finding,) = judge("API005", text.replace("self.hear, 10)", "self.hear, 10)  # here"))
+    assert finding.help == "write `from std_msgs.msg import String`"
+
+
+@pytest.mark.parametrize(
+    "definition",
+    [
+        "def hear(self, message: String) -> None:",
+        "def hear(self, message: 'Missing') -> 'Missing':",  # a text, which nothing evaluates
+        "def hear(self, message: Other) -> Talker:",  # bound in the file, wherever
+        "def hear(self, message, most: range(limit) = 3):",  # the body of the class has it
+        "def hear[Item](self, message: Item) -> Item:",
+    ],
+)
+def test_annotations_that_name_nothing_unknown(judge: Judge, definition: str) -> None:
+    assert judge("API005", IMPORTED.format(definition=definition)) == []
+
+
+def test_annotations_that_nothing_evaluates(judge: Judge, findings: Callable[..., list[Finding]]) -> None:
+    text = IMPORTED.format(definition="def hear(self, message: Missing):")
+    assert judge("API005", f"from __future__ import annotations\n{text}") == []
+    files = {"robot/talker.py": text.lstrip(), "CMakeLists.txt": CMAKE}
+    assert findings("API005", **files, Dockerfile="FROM ros:lyrical\n") == []
+    assert len(findings("API005", **files, Dockerfile="FROM ros:jazzy\n")) == 1

@@ -84,14 +84,13 @@ def _is_plain(function: FunctionFacts) -> bool:
 def annotations_are_texts(system: System, callback: Callback) -> bool:
     """Whether a callback is in a file with ``from __future__ import annotations``."""
     file_facts = None if system.workspace is None else system.workspace.facts_at(callback.place.file)
-    imports = [
-        statement
-        for statement in ([] if file_facts is None else file_facts.body)
-        if isinstance(statement, facts.ImportFrom)
-    ]
-    return any(
-        statement.module == "__future__" and ("annotations", "annotations") in statement.names for statement in imports
-    )
+    return file_facts is not None and hints_are_postponed(file_facts)
 
 
-__all__ = ["Signature", "annotations_are_texts", "signature_of"]
+def hints_are_postponed(code: facts.Facts) -> bool:
+    """Whether a file says so: ``from __future__ import annotations``."""
+    imports = (statement for statement in code.body if isinstance(statement, facts.ImportFrom))
+    return any(each.module == "__future__" and ("annotations", "annotations") in each.names for each in imports)
+
+
+__all__ = ["Signature", "annotations_are_texts", "hints_are_postponed", "signature_of"]

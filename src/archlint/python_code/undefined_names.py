@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import kept_for_each_file, once
 from archlint.launch.files import GENERATE
 from archlint.place import Place
+from archlint.python_code.evaluated_hints import evaluates_hints, hints_of
 from archlint.python_code.left_blanks import is_left_blank
 from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, starred
 from archlint.syntax import facts
@@ -82,6 +83,8 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
             idle = _idle_functions(file_facts)
             unbound = [r for r in unbound if (file.relative, r.name) not in told]
             unbound = [r for r in unbound if not any(covers(function, r.span) for function in idle)]
+        if any(r.in_hint for r in unbound) and not evaluates_hints(workspace, file.relative, file_facts):
+            unbound = [r for r in unbound if not r.in_hint]
         brought = starred(workspace, file.relative, file_facts) if unbound else None
         if brought is None:
             continue
@@ -195,6 +198,7 @@ class _Read:
     of_self: bool
     added: bool = False
     without_self: str = ""
+    in_hint: bool = False
 
 
 _Known = tuple[_Read, frozenset[str]]
@@ -211,6 +215,8 @@ class _Scope:
     without_self: str = ""
     body: Sequence[facts.Stmt] = ()
     """The statements of the function that the code is in."""
+    in_hint: bool = False
+    """Whether the code is the annotations of a function."""
 
     def within(self, names: frozenset[str]) -> _Scope:
         return replace(self, names=self.names | names)
@@ -219,7 +225,7 @@ class _Scope:
         is_member = name.id in self.members or (name.id == "self" and bool(self.without_self))
         of_self = is_member and "self" in self.names
         without_self = self.without_self if is_member and not of_self else ""
-        return _Read(name.id, name.span, of_self, added, without_self), self.names
+        return _Read(name.id, name.span, of_self, added, without_self, self.in_hint), self.names
 
 
 @dataclass(frozen=True)
@@ -284,6 +290,7 @@ def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Known]:
         match part:
             case facts.Function() | facts.Lambda() | facts.Class():
                 stack += reversed(_evaluated_outside(part))
+                yield from _reads(hints_of(part), replace(scope, in_hint=True))
                 yield from _reads_inside(part, scope)
             case facts.Comprehension(generators=generators):
                 targets = [name.id for each in generators for name in everything_in(each.target, facts.Name)]
@@ -306,8 +313,7 @@ def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Known]:
 
 
 def _evaluated_outside(part: facts.Function | facts.Lambda | facts.Class) -> list[facts.Base]:
-    """What the code around a function or a class evaluates: decorators, bases and defaults.  Annotations are left
-    alone: newer versions of Python do not evaluate them."""
+    """What the code around a function or a class evaluates: decorators, bases and defaults."""
     match part:
         case facts.Class(bases=bases, decorators=decorators):
             return [*decorators, *bases]
@@ -325,6 +331,7 @@ def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Sco
             for statement in body:
                 if isinstance(statement, facts.Function):  # which does not see what the body of the class binds
                     yield from _reads(_evaluated_outside(statement), scope.within(own))
+                    yield from _reads(hints_of(statement), replace(scope.within(own), in_hint=True))
                     without_self = "" if statement.params or statement.decorators else statement.name
                     yield from _reads_inside(statement, _Scope(scope.names, members, without_self))
                 else:
