@@ -791,6 +791,10 @@ def test_what_else_the_command_for_interfaces_is_given(findings, words):
         (f"if(WITH_PICTURES)\n  {INSTALL}\nendif()", {}),
         (f"file(MAKE_DIRECTORY rviz)\n{INSTALL}", {}),
         (f"execute_process(COMMAND make_pictures)\n{INSTALL}", {}),
+        (f"execute_process(COMMAND uname -m COMMAND tee rviz/robot.rviz)\n{INSTALL}", {}),
+        (f"execute_process(COMMAND echo robot OUTPUT_FILE rviz/robot.rviz)\n{INSTALL}", {}),
+        (f"execute_process(COMMAND git clone https://example.org/rviz)\n{INSTALL}", {}),
+        (f"macro(paint)\n  execute_process(COMMAND uname)\nendmacro()\nexecute_process(COMMAND uname)\n{INSTALL}", {}),
         (f"exec_program(make_pictures)\n{INSTALL}", {}),
         (INSTALL.replace("rviz", "${CMAKE_CURRENT_BINARY_DIR}/rviz"), {}),
         (INSTALL.replace("rviz", "/usr/share/rviz"), {}),
@@ -804,12 +808,25 @@ def test_what_else_the_command_for_interfaces_is_given(findings, words):
     ids=[
         *("there", "ignored by git", "in it all ignored", "its meshes ignored"),
         *("a submodule", "one with a space", "a library", "optional", "files by pattern"),
-        *("under a condition", "made", "made by a command", "by an old command", "built", "elsewhere"),
+        *("under a condition", "made", "made by a command", "in a pipe", "by an output", "cloned", "in a macro"),
+        *("by an old command", "built", "elsewhere"),
         *("a part", "a submodule as a part", "a part under a condition", "by a variable", "of the system", "copied"),
     ],
 )
 def test_what_cmake_may_find(findings, line, files):
     assert findings("PKG004", **OF_CMAKE, **{"CMakeLists.txt": BUILD.format(line)}, **files) == []
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "COMMAND uname -m COMMAND tr -d '\\n' OUTPUT_VARIABLE ARCHITECTURE",
+        "COMMAND git rev-parse HEAD OUTPUT_VARIABLE COMMIT",
+    ],
+)
+def test_a_command_that_only_asks_makes_no_folder(findings, command):
+    build = BUILD.format(f"execute_process({command})\n{INSTALL}")
+    assert [row.place.line for row in findings("PKG004", **OF_CMAKE, **{"CMakeLists.txt": build})] == [4]
 
 
 @pytest.mark.parametrize(

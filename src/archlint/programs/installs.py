@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import Protocol
 
 from archlint.finding import Place
+from archlint.programs.asking_commands import only_asks
 from archlint.programs.cmake_commands import misspelt_commands, unregistered_at
 from archlint.programs.cmake_names import may_make_anything, misnamed_project, misspelt_variables, read_names
 from archlint.programs.cmake_targets import TargetNames
@@ -84,7 +85,8 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     installs.open_executables |= run.open
     installs.open_files |= run.open
     targets = TargetNames(run.steps)
-    makes_sources = not _MAKERS.isdisjoint(installs.words)
+    makers = _MAKERS & installs.words
+    makes_sources = bool(makers) and not (makers == {"execute_process"} and only_asks(run.steps, installs.words))
     for step in run.steps:
         _read_step(installs, step, tree, targets)
         installs.required += [] if "return" in installs.words else _found(step)
