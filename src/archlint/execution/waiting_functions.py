@@ -101,7 +101,7 @@ def _own_methods(system: System, function: facts.Function, callback: Callback) -
                 seen.add(name)
                 file, method = methods[name]
                 waiting.append(method)
-                if parts_of(method.body, facts.While):
+                if any(parts_of(method.body, facts.While)):
                     yield from _method(method, file, callback.node, callback)
 
 
