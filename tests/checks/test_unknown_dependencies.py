@@ -147,6 +147,16 @@ def test_a_module_that_comes_with_python(judge: Judge):
     assert judge("<exec_depend>csv</exec_depend>", **{"robot/node.py": "import rclpy\n"}, **NAMED) == []  # a package
 
 
+@pytest.mark.parametrize("path", ["setup.py", "launch/robot.launch.py"])
+def test_a_module_of_python_that_only_setup_or_a_launch_file_imports(judge: Judge, path: str):
+    launch = "def generate_launch_description():\n    return LaunchDescription([])\n"
+    end = f"from launch import LaunchDescription\n\n\n{launch}"
+    (one,) = judge("<depend>os</depend>", **{path: f"import os.path\n{end}"}, **NAMED)
+    assert one.message.startswith("'os' is a module of Python itself")
+    assert judge("<depend>csv</depend>", **{path: f"csv = 'a package'\n{end}"}, **NAMED) == []
+    assert judge("<depend>tensorflow</depend>", **{path: f"import tensorflow\n{end}"}, **NAMED) == []
+
+
 NODE = "#include <rclcpp/rclcpp.hpp>\n\nint main() { rclcpp::init(0, nullptr); }\n"
 
 

@@ -16,6 +16,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Severity
 from archlint.packaging.absent_packages import has_a_rule_for_rosdep, is_a_key_of_some_file
 from archlint.packaging.idle_dependencies import is_idle
+from archlint.packaging.library_imports import imports_beside_nodes
 from archlint.ros import packages, rosdep
 from archlint.ros.mistaken_dependencies import Mistake, Mistaken, mistaken, modules_of_pip, of_python_2
 from archlint.suggestions import distance
@@ -83,6 +84,7 @@ def _unknown(
     meant = rosdep.meant_by(name, there, is_python=is_python) or _successor(workspace, name)
     meant = meant or _imported(workspace, package, name, there)
     meant = _PYTHON if meant == _CPP and _is_rclpy(workspace, package, dependency) else meant
+    is_python = is_python or imports_beside_nodes(workspace, package, name)
     wrong = None if meant is not None else mistaken(name, there, is_python=is_python)
     if wrong is not None and not is_a_key_of_some_file(workspace, name):
         yield _mistaken(package, dependency, wrong)
