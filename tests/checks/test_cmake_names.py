@@ -158,14 +158,17 @@ def test_a_project_that_is_not_called_like_its_package(findings, text, line):
     assert (finding.place.line, finding.help) == (line, "write project(robot)")
 
 
+FINDS = "find_package(ament_cmake REQUIRED)\n"
+
+
 @pytest.mark.parametrize(
     "text",
     [
-        "project(robot)\nament_package()\nproject(parts)\n",
-        "project(robot VERSION 1.0.0)\nament_package()\n",
+        f"project(robot)\n{FINDS}ament_package()\nproject(parts)\n",
+        f"project(robot VERSION 1.0.0)\n{FINDS}ament_package()\n",
         "project(robot_arm)\n",
-        "project(${NAME})\nament_package()\n",
-        "if(ALONE)\n  project(arm)\nendif()\nament_package()\n",
+        f"project(${{NAME}})\n{FINDS}ament_package()\n",
+        f"{FINDS}if(ALONE)\n  project(arm)\nendif()\nament_package()\n",
     ],
 )
 def test_a_project_of_the_right_name_or_one_that_is_not_known(findings, text):
@@ -339,3 +342,34 @@ def test_a_package_that_is_declared_by_another_name(findings):
     assert findings("PKG012", **{"package.xml": CMAKE, "CMakeLists.txt": text}) == []
     both = text.replace("ament_package", "find_package(geometry_msgs REQUIRED)\nament_package")
     assert findings("PKG012", **{"package.xml": declared, "CMakeLists.txt": both}) == []
+
+
+BARE = "project(robot)\ninstall(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package()\n"
+
+
+def test_a_build_that_finds_no_package(findings):
+    (found,) = findings("PKG012", **{"package.xml": CMAKE, "CMakeLists.txt": BARE})
+    assert found.message.startswith("nothing brings the command ament_package(): the build stops")
+    assert (found.place.line, found.help) == (3, "add find_package(ament_cmake REQUIRED) below project()")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        FINDS,
+        "find_package(ament_cmake_auto REQUIRED)\n",
+        "include(cmake/packages.cmake)\n",
+        "macro(ament_package)\nendmacro()\n",
+        "acme_setup()\n",
+        "if(WITH_ROS)\n  find_package(ament_cmake REQUIRED)\nendif()\n",
+    ],
+)
+def test_what_may_bring_the_commands_of_ament(findings, line):
+    build = BARE.replace("install(", f"{line}install(")
+    assert findings("PKG012", **{"package.xml": CMAKE, "CMakeLists.txt": build}) == []
+
+
+def test_a_package_that_another_build_takes_in(findings):
+    outer = f"project(all)\n{FINDS}add_subdirectory(robot)\nament_package()\n"
+    files = {"package.xml": CMAKE.replace("<name>robot<", "<name>all<"), "CMakeLists.txt": outer}
+    assert findings("PKG012", **files, **{"robot/package.xml": CMAKE, "robot/CMakeLists.txt": BARE}) == []

@@ -36,6 +36,8 @@ def unknown_cmake_name(system: System, options: Options) -> Iterator[Finding]:
         yield from map(_command, installs.misspelt)
         if installs.unregistered_at is not None:
             yield _unregistered(installs, installs.unregistered_at)
+        if installs.unbrought_at is not None and not _is_part(workspace, installs.unbrought_at.file, package.name):
+            yield _unbrought(installs, installs.unbrought_at)
         if installs.names_of_nothing:
             yield from _of_build(workspace, installs, options)
         yield from (_of_python(installs, asked) for asked in installs.required if _is_of_python(workspace, asked.name))
@@ -126,6 +128,22 @@ def _unregistered(installs: Installs, last: Place) -> Finding:
         help="write ament_package() at the end of this file",
         identity=(installs.package, "ament_package"),
         group=(last.file, "ament_package"),
+    )
+
+
+def _is_part(workspace: WorkspaceIndex, file: str, package: str) -> bool:
+    """Whether the build of another package reads a CMake file, and may have found what it needs."""
+    return any(file in other.build_files for name, other in workspace.installs.items() if name != package)
+
+
+def _unbrought(installs: Installs, call: Place) -> Finding:
+    return finding(
+        "PKG012",
+        call,
+        "nothing brings the command ament_package(): the build stops, for no find_package() finds ament_cmake",
+        help="add find_package(ament_cmake REQUIRED) below project()",
+        identity=(installs.package, "ament_cmake"),
+        group=(call.file, "ament_cmake"),
     )
 
 

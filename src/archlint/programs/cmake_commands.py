@@ -81,10 +81,39 @@ def unregistered_at(installs: Installs, steps: Sequence[Step]) -> Place | None:
     return Place(own, last.line, last.column, last.line, last.column + len(last.name))
 
 
+_BRINGS_COMMANDS = frozenset(
+    {"add_subdirectory", "cmake_language", "cpmaddpackage", "find_package", "function", "include"}
+) | {
+    *("fetchcontent_makeavailable", "load_cache", "macro", "return"),
+}
+"""Words of files that find packages, define commands, or may end before the end."""
+
+
+def unbrought_at(installs: Installs, steps: Sequence[Step]) -> Place | None:
+    """Where a package's CMakeLists.txt calls ``ament_package()`` and nothing brings a command of that name."""
+    own = posixpath.normpath(posixpath.join(installs.folder, CMAKE_FILE))
+    if not _BRINGS_COMMANDS.isdisjoint(installs.words):
+        return None
+    calls = [step for step in steps if step.command.name == _REGISTERS]
+    others = (step.command for step in steps if step.command.name != _REGISTERS)
+    if (
+        len(calls) != 1
+        or calls[0].conditional
+        or posixpath.normpath(calls[0].file) != own
+        or any(map(may_find, others))
+    ):
+        return None
+    call = calls[0].command
+    return Place(own, call.line, call.column, call.line, call.column + len(call.name))
+
+
+_REGISTERS = "ament_package"
+
+
 def _finds_ament(step: Step) -> bool:
     """Whether a command always finds ament_cmake or a part of it: the package is not built by other means."""
     texts = step.command.texts[:1] if step.command.name == "find_package" and not step.conditional else ()
     return any(name.startswith("ament_cmake") for name in texts)
 
 
-__all__ = ["misspelt_commands", "unregistered_at"]
+__all__ = ["misspelt_commands", "unbrought_at", "unregistered_at"]

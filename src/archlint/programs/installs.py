@@ -9,7 +9,7 @@ from typing import Protocol
 
 from archlint.finding import Place
 from archlint.programs.asking_commands import only_asks
-from archlint.programs.cmake_commands import misspelt_commands, unregistered_at
+from archlint.programs.cmake_commands import misspelt_commands, unbrought_at, unregistered_at
 from archlint.programs.cmake_names import may_make_anything, misnamed_project, misspelt_variables, read_names
 from archlint.programs.cmake_targets import TargetNames
 from archlint.programs.installed_targets import programs_astray
@@ -104,6 +104,7 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     installs.refused += refused_commands(run.steps, None if makes_sources else tree)
     installs.misspelt += misspelt_commands(run.steps, installs.words)
     installs.unregistered_at = None if run.open else unregistered_at(installs, run.steps)
+    installs.unbrought_at = None if run.open else unbrought_at(installs, run.steps)
     installs.names_of_nothing += misnamed_project(installs, run.steps)
     installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words
 

@@ -243,6 +243,8 @@ class Installs:
     """Shared libraries that nothing installs, where all of the build is read."""
     unregistered_at: Place | None = None
     """The last command of the CMakeLists.txt, where nothing in the build enters the package into the index."""
+    unbrought_at: Place | None = None
+    """Where the CMakeLists.txt calls ``ament_package()``, where nothing in the build brings that command."""
     looked_for: frozenset[str] = frozenset()
     """The packages that the CMake files look for, in any case or not."""
     built: list[BuiltTarget] = field(default_factory=list)
