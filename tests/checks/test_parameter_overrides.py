@@ -663,11 +663,12 @@ def test_parameters_that_a_loop_declares_as_often_as_another_one_says(
 
 # ------------------------------------------------------------------------------ a program that is too large to follow
 
-LARGE = """        for a in range(400):
+LOOP = """        for a in range(400):
             for b in range(400):
                 self.get_logger().info('x')
-        {read}
 """
+LARGE = LOOP * 20 + "        {read}\n"
+"""One loop leaves something for what follows it."""
 
 
 @pytest.mark.parametrize(

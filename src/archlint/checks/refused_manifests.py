@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds, with_others, with_the_same_cause
 from archlint.checks.packages import workspace_of
-from archlint.checks.registry import EMPTY, Options, finding, rule
+from archlint.checks.registry import EMPTY, LEADS_OUT, Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.packaging.refused_manifests import (
@@ -19,7 +19,6 @@ from archlint.packaging.refused_manifests import (
     refused_manifests,
     untyped_manifests,
 )
-from archlint.workspace.model import BROKEN_LINK
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -97,7 +96,7 @@ def _of_one_cause(findings: Sequence[Finding]) -> Finding:
 def _of_one_mistake(findings: Sequence[Finding]) -> Finding:
     """One finding for the manifests, or the descriptions of a package, that cannot be read for the same reason: one was
     copied for the others; for the links into one folder that is not there, and for the empty launch files of one."""
-    if findings[0].message.startswith(BROKEN_LINK):
+    if findings[0].group[0] == LEADS_OUT:
         return with_others(findings, "another link leads", "more links lead", "there, too")
     if findings[0].group[0] == EMPTY:
         return with_others(findings, "another file beside it is", "more files beside it are", "empty, too")

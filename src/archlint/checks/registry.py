@@ -28,7 +28,6 @@ from archlint.faults import Fault
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.project import issue_tracker
 from archlint.rulebook import rules
-from archlint.workspace.model import BROKEN_LINK
 
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
@@ -222,15 +221,22 @@ def failure(fault: Fault, plugin: str = "") -> Finding:
 
 
 def unreadable(
-    file: str, line: int, column: int, message: str, internal: bool = False, *, help: str | None = None
+    file: str,
+    line: int,
+    column: int,
+    message: str,
+    internal: bool = False,
+    *,
+    help: str | None = None,
+    leads_out: bool = False,
 ) -> Finding:
     """The LNT002 finding for what could not be read, or LNT003 where reading failed by a fault of ours (``internal``);
     information where ``help`` says what to do."""
     place = Place(file, line, column, line, column)
     if not internal:
-        leads_out = message.startswith(f"{BROKEN_LINK}:")
-        alike = leads_out or file.rpartition("/")[2] == "package.xml"  # copied from package to package
-        group, advice = (message,) if alike else (), _LEADS_OUT if leads_out else _UNREAD
+        is_manifest = file.rpartition("/")[2] == "package.xml"  # copied from package to package
+        group = (LEADS_OUT, message) if leads_out else (message,) if is_manifest else ()
+        advice = _ADVICE_FOR_LINKS if leads_out else _UNREAD
         diagnostic = finding("LNT002", place, message, help=help or advice, identity=(message,), group=group)
         return diagnostic if help is None else replace(diagnostic, severity=Severity.INFO)
     what = f"reading this file failed with {message}; everything else was checked"
@@ -239,7 +245,9 @@ def unreadable(
 
 EMPTY = "empty"
 """The first part of the group of what is found of files with nothing in them."""
-_LEADS_OUT = "remove it, or make it a link to a file of the workspace, by a relative path"
+LEADS_OUT = "leads out"
+"""That of links by absolute paths to what is not there."""
+_ADVICE_FOR_LINKS = "remove it, or make it a link to a file of the workspace, by a relative path"
 _UNREAD = "correct it: until then nothing in this file is checked"
 
 

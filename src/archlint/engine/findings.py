@@ -329,7 +329,8 @@ def _problems(
     old = tuple(f"{package.relative}/" for package in workspace.packages if package.catkin_code)
     for problem in workspace.problems:
         if not problem.file.startswith(old) and not is_manifest_to_fill(problem.file, tree):
-            yield unreadable(problem.file, problem.line, problem.column, problem.message, help=problem.help)
+            place = problem.file, problem.line, problem.column
+            yield unreadable(*place, problem.message, help=problem.help, leads_out=problem.leads_out)
     sources = (file for file in workspace.of_kind("cpp") if facts.relevant(file) and not file.context)
     for file in (*files, *sources):
         read = facts.facts_of(file)

@@ -45,11 +45,17 @@ class KeptWords:
 
     def keep(self) -> None:
         """Keep the words that were asked for in this run."""
-        asked = {path: digest for path in self._tree.words.read if (digest := self._digests.get(path)) is not None}
+        named = filter(_is_unicode, self._tree.words.read)
+        asked = {path: digest for path in named if (digest := self._digests.get(path)) is not None}
         if all(path in self._known and self._known[path][0] == digest for path, digest in asked.items()):
             return
         rows = {path: (digest, sorted(self._tree.words.of(path))) for path, digest in sorted(asked.items())}
         self._store.put_programs(self._key, msgspec.msgpack.encode((self._surroundings, rows)))
+
+
+def _is_unicode(path: str) -> bool:
+    """Whether a name can be written down: that of a file may be any bytes."""
+    return not any("\ud800" <= character <= "\udfff" for character in path)
 
 
 def kept_words(inputs: Inputs, facts: FactsOfFiles) -> KeptWords | None:

@@ -49,10 +49,8 @@ class Problem:
     message: str
     help: str | None = None
     """What brings the file, where that is known; it is no fault of the workspace then."""
-
-
-BROKEN_LINK = "is a broken symbolic link"
-"""What is said of a link to nothing; of one by an absolute path, also from where on nothing is there."""
+    leads_out: bool = False
+    """Whether it is a link by an absolute path, to something that is not there."""
 
 
 @dataclass(frozen=True, slots=True)

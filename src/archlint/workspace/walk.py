@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from archlint.workspace.around import is_below
 from archlint.workspace.ignore import Ignores, clones_in, ignores_above, pattern_files
 from archlint.workspace.kinds import has_python_shebang, kind_of, may_be_script
-from archlint.workspace.model import BROKEN_LINK, PYTHON_KINDS, Link, Problem, SourceFile, SourceKind
+from archlint.workspace.model import PYTHON_KINDS, Link, Problem, SourceFile, SourceKind
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
 from archlint.workspace.submodules import submodule_of
 from archlint.workspace.tracked import Tracked
@@ -248,10 +248,11 @@ class Walk:
     def _is_excluded(self, shown: str) -> bool:
         return self._excluded is not None and self._excluded(shown)
 
-    def _problem(self, shown: str, message: str, help: str | None = None) -> None:
-        self.problems.setdefault(shown, Problem(shown, 1, 1, message, help))
+    def _problem(self, shown: str, message: str, help: str | None = None, leads_out: bool = False) -> None:
+        self.problems.setdefault(shown, Problem(shown, 1, 1, message, help, leads_out))
 
 
+_BROKEN_LINK = "is a broken symbolic link"
 _NAME_IT = "to have it read, name the file that it leads to on the command line, too"
 
 
@@ -281,26 +282,27 @@ def _leads_into_nothing(link: str) -> bool:
         return False
 
 
-def _broken_link(link: str) -> str:
+def _broken_link(link: str) -> tuple[str, None, bool]:
     """What to say of a link to nothing: those that one computer alone has a folder for lead below what is not there."""
     target = os.path.normpath(os.readlink(link))
     if not os.path.isabs(target):
-        return BROKEN_LINK
+        return _BROKEN_LINK, None, False
     while not os.path.lexists(os.path.dirname(target)):
         target = os.path.dirname(target)
-    return f"{BROKEN_LINK}: there is no '{target}' here"
+    return f"{_BROKEN_LINK}: there is no '{target}' here", None, True
 
 
-def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> tuple[str, str | None] | None:
-    """What to say of a file whose status cannot be had, and what brings it; None for one that has just been removed."""
+def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> tuple[str, str | None, bool] | None:
+    """What to say of a file whose status cannot be had, what brings it, and whether it is a link out of the workspace;
+    None for one that has just been removed."""
     if error.errno == errno.ENOENT:
         submodule = submodule_of(entry.path) if entry.is_symlink() else None
         if submodule is not None:
             message = f"is a symbolic link into the git submodule '{submodule}', which is not checked out"
-            return message, "git submodule update --init"
+            return message, "git submodule update --init", False
         if entry.is_symlink() and (os.readlink(entry.path).endswith(_OF_CATKIN) or _leads_into_nothing(entry.path)):
             return None
-        return (_broken_link(entry.path), None) if entry.is_symlink() else None
+        return _broken_link(entry.path) if entry.is_symlink() else None
     if error.errno == errno.ELOOP:
-        return "is a symbolic link that leads back to itself", None
-    return f"cannot be read: {error.strerror}", None
+        return "is a symbolic link that leads back to itself", None, False
+    return f"cannot be read: {error.strerror}", None, False

@@ -42,7 +42,10 @@ def test_dynamic_typing_leaves_the_type_open(tmp_path, monkeypatch):
 
 
 def test_a_program_that_is_cut_short_is_not_complete(tmp_path, monkeypatch):
-    endless = "for a in range(400):\n            for b in range(400):\n                self.get_logger().info('x')"
+    loop = (
+        "for a in range(400):\n            for b in range(400):\n                self.get_logger().info('x')\n        "
+    )
+    endless = loop * 20  # one of them leaves something for what follows it
     assert node_of(tmp_path, monkeypatch).blueprint.complete
     cut_short = node_of(tmp_path, monkeypatch, endless).blueprint
     assert not cut_short.complete
