@@ -517,6 +517,12 @@ def test_a_marker_with_the_name_of_another_package(findings):
     assert finding.help == "rename 'resource/old_robot' to 'resource/robot', and write that here"
 
 
+def test_a_marker_that_is_a_file_with_another_use(findings):
+    setup = listing("package.xml").replace("'resource/robot'", "'package.xml'")
+    [finding] = [row for row in findings("PKG004", **{"setup.py": setup}) if "marker" in row.message]
+    assert finding.help == "have an empty file 'resource/robot', and write that here"
+
+
 @pytest.mark.parametrize(
     ("folder", "cure"),
     [

@@ -72,6 +72,7 @@ OWN = """\
 """
 OWN_OF_CAR = CAR.replace("\n\ndef main", f"{OWN}\n\ndef main", 1)
 REPLACES = "\n    def force(self, speed):\n        return 2.0\n"
+BEHIND_A_RETURN = BRAKE.replace("if self.odometry", "return 0.0\n        if self.odometry")
 KEEPS = f"\n    strong = force\n{REPLACES}"
 
 
@@ -89,6 +90,7 @@ KEEPS = f"\n    strong = force\n{REPLACES}"
         ({"fleet/package.xml": manifest("fleet"), "fleet/setup.py": LIBRARY}, False),
         ({"car/setup.py": LIBRARY, "car/car/brake.py": f"{BRAKE}{REPLACES}"}, False),
         ({"car/setup.py": LIBRARY, "car/car/brake.py": f"{BRAKE}{KEEPS}"}, True),
+        ({"car/setup.py": LIBRARY, "car/car/brake.py": BEHIND_A_RETURN}, False),
     ],
     ids=[
         "left over",
@@ -102,6 +104,7 @@ KEEPS = f"\n    strong = force\n{REPLACES}"
         "another package",
         "replaced by a later one",
         "kept by the body of the class before that",
+        "behind a return",
     ],
 )
 def test_an_attribute_that_a_method_reads_which_nothing_calls(

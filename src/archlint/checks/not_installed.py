@@ -336,7 +336,9 @@ def _in_vain(row: ListedInVain, right: str | None) -> Finding:
 
 
 def _misnamed(row: MisnamedMarker) -> Finding:
-    renamed = f"rename '{row.file}' to 'resource/{row.package}'"
+    right = f"resource/{row.package}"
+    is_marker = posixpath.dirname(row.file) == "resource"  # else it is a file that has another use
+    renamed = f"rename '{row.file}' to '{right}'" if is_marker else f"have an empty file '{right}'"
     renamed += f", and write '{row.package}' in setup.py and setup.cfg" if row.scripts_too else ", and write that here"
     return finding(
         "PKG004",

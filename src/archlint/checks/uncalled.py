@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
+from archlint.analysis.behind_ends import is_behind_an_end
 from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.idle_helpers import is_idle_helper
 from archlint.analysis.kept_defaults import needs_another_default
@@ -27,12 +28,13 @@ def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
     """The same finding; none where the file is a program and nothing calls that method, or only such methods do, and
     none behind a flag that stays false, for a choice that is never made, or for another value of a parameter than the
     default that all calls leave it: it is left over, and nobody meets the mistake.  In a lesson it is information then,
-    with the advice to delete a method that nothing calls.  Nor is anything said of a method that a later one replaces.
+    with the advice to delete a method that nothing calls.  Nor is anything said of a method that a later one replaces,
+    or of a line behind the end of its block.
     What a library offers is for others to call, but for what a module without a word of ROS has and no file names."""
     name = uncalled_in_program(system, diagnostic.place)
-    if is_idle_helper(system.workspace, diagnostic.place) or is_replaced(system.workspace, diagnostic.place):
-        return
     place, workspace = diagnostic.place, system.workspace
+    if any(leaves_out(workspace, place) for leaves_out in (is_idle_helper, is_replaced, is_behind_an_end)):
+        return
     if name is None and any(never(workspace, place) for never in _NEVER_REACHED):
         if is_lesson(system):
             yield replace(diagnostic, severity=Severity.INFO)
