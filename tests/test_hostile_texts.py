@@ -18,6 +18,7 @@ from archlint.syntax.line_suppressions import suppressions_of_lines
 from archlint.systems.overrides import key_matches
 from archlint.workspace.cmake import parse_cmake
 from archlint.workspace.comments import without_comments
+from archlint.workspace.merge_marks import merge_in
 
 MANY = 60_000
 
@@ -52,6 +53,11 @@ def test_a_description_with_starts_that_nothing_closes(start):
 
 def test_a_description_with_unknown_tags_before_those_that_nothing_closes():
     assert malformed_description("arm.sdf", "<sdf><?ignore ?>\n<?><a/></sdf>") is None
+
+
+def test_marks_of_a_merge_that_nothing_ends():
+    assert merge_in("<<<<<<< mine\n" * MANY + "=======\n" * MANY) is None
+    assert merge_in("x\n" + "<<<<<<< mine\n" * MANY + "=======\n>>>>>>> theirs\n") == 2
 
 
 def test_suppressions_that_nothing_closes():
