@@ -1045,3 +1045,17 @@ def test_a_script_that_stops_at_an_import_comes_to_nothing_else(tmp_path, monkey
     monkeypatch.chdir(tmp_path)
     rows = check(Request((".",), Settings(unused_files=True), cached=False, jobs=1)).findings
     assert len([finding for finding in rows if finding.code == "EXE004"]) == told
+
+
+@pytest.mark.parametrize(
+    ("path", "is_test"),
+    [
+        ("robot/test_drive.py", False),
+        ("robot/test_arm.py", True),
+        ("robot/tests/test_run.py", True),  # whatever is installed of a folder of tests
+        ("robot/drive.py", False),
+    ],
+)
+def test_a_program_whose_name_begins_like_that_of_a_test(path, is_test):
+    programs = frozenset({"robot/test_drive.py", "robot/tests/test_run.py"})
+    assert FileRoles(programs=programs).is_test(path) is is_test

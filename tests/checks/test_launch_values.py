@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.finding import Severity
+from robot_package import node
 
 ASKED = """\
 from launch import Condition, LaunchDescription
@@ -85,7 +86,8 @@ def test_a_name_that_nothing_defines_stops_the_launch(findings, above, line, arg
     (one,) = findings("LCH008", **files)
     assert one.message.endswith("is not defined: this launch file stops with a NameError before it starts anything")
     assert (one.place.file, one.place.line) == ("launch/it.launch.py", at)
-    assert findings("LCH001", **files) == []  # it never comes to that node
+    (gone,) = findings("LCH001", **files)  # what is wrong behind that line is told in the same run
+    assert gone.identity == ("robot", "gone")
 
 
 @pytest.mark.parametrize(
@@ -379,3 +381,47 @@ def test_a_key_that_is_there_or_may_be(findings, line: str):
 def test_a_file_that_is_a_list_and_one_with_a_merged_map(findings):
     assert _read(findings, "data[0]['name']", "- name: left\n") == []
     assert _read(findings, "data['b']['x']", "a: &a {x: 1}\nb: {<<: *a, y: 2}\n") == []
+
+
+EXPRESSION = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration, PythonExpression
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    gui = LaunchConfiguration('gui')
+    return LaunchDescription([
+        DeclareLaunchArgument('gui'{default}),
+        Node(package='robot', executable='talker', condition=IfCondition(PythonExpression({expression}))),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("default", "expression", "name"),
+    [
+        (", default_value='false'", "['not ', gui]", "false"),
+        (", default_value='true'", "[gui, ' and 1 < 2']", "true"),
+        (", default_value='slam'", "[gui, ' == \"slam\"']", "slam"),
+        (", default_value='slam'", "['\"slam\" in [', gui, ']']", None),  # a list may be followed one day
+        (", default_value='False'", "['not ', gui]", None),
+        (", default_value='false'", "['\"', gui, '\" == \"true\"']", None),
+        (", default_value='false'", "['False and ', gui]", None),  # it is never read
+        (", default_value='1.0'", "[gui, ' < pi']", None),  # a name of math
+        (", default_value='1.0'", "[gui, ' < wheel.size']", None),
+        ("", "['not ', gui]", None),  # whoever launches the file may say True
+    ],
+)
+def test_a_launch_argument_in_an_expression_of_python(findings, default, expression, name):
+    """Tried with launch of Jazzy: ``name 'false' is not defined``."""
+    code = EXPRESSION.format(default=default, expression=expression)
+    messages = [finding.message for finding in findings("LCH008", **{"launch/py.launch.py": code})]
+    assert [message.split(":")[0] for message in messages] == ([f"Python knows no '{name}'"] if name else [])
+
+
+def test_an_expression_in_xml(findings):
+    launch = '<arg name="gui" default="true"/>' + node(**{"if": "$(eval 'not $(var gui)')"})
+    (finding,) = findings("LCH008", launch)
+    assert finding.message == ("Python knows no 'true': the expression `not true` stops this launch with a NameError")

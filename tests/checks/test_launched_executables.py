@@ -467,3 +467,32 @@ def test_the_scripts_of_a_package_that_are_not_installed_are_one_finding(finding
     )
     assert [(row.place.line, row.message) for row in one.related] == [(2, "'planning' is started here")]
     assert other.message == "package 'robot' installs no executable 'driving'"
+
+
+UNADDED = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    description = LaunchDescription()
+    first = Node(package='robot', executable='talker')
+    second = Node(package={package}, executable={executable})
+    description.add_action(first)
+    return description
+"""
+
+
+@pytest.mark.parametrize(
+    ("package", "executable", "message"),
+    [
+        ("'robot'", "'tlaker'", "package 'robot' installs no executable 'tlaker'; did you mean 'talker'?"),
+        ("'robots'", "'talker'", "there is no package 'robots'; did you mean 'robot', which installs 'talker'?"),
+        ("'robot'", "'talker'", None),
+        ("'robot'", "'talk' + 'er'", None),
+        ("'tf2_ros'", "'static_transform_publisher'", None),
+    ],
+)
+def test_a_node_action_that_nothing_adds(findings, package, executable, message):
+    code = UNADDED.format(package=package, executable=executable)
+    told = findings("LCH001", **{"launch/py.launch.py": code})
+    assert [(finding.message, finding.severity) for finding in told] == ([(message, Severity.INFO)] if message else [])

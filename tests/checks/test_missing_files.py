@@ -990,3 +990,52 @@ def test_a_trained_model_is_seldom_kept_with_the_sources(findings, file: str, to
 def test_a_trained_model_by_a_name_that_is_almost_there(findings):
     (told,) = findings("LCH004", MODEL.format("config/polcy.pt"), **{"config/policy.pt": "weights"})
     assert told.message.endswith("did you mean 'policy.pt'?")
+
+
+OPENS = """\
+import os
+import yaml
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('robot'), 'config', 'tf.yaml')
+    {code}
+    return LaunchDescription([Node(package='robot', executable='talker')])
+"""
+
+
+@pytest.mark.parametrize(
+    ("code", "found"),
+    [
+        ("rows = yaml.safe_load(open(path))", 1),
+        ("with open(path, 'r') as file:\n        rows = yaml.safe_load(file)", 1),
+        ("with open(path, mode='rb') as file:\n        rows = file.read()", 1),
+        ("if os.path.exists(path):\n        rows = open(path).read()", 0),
+        ("try:\n        rows = open(path).read()\n    except OSError:\n        rows = ''", 0),
+        ("open(path, 'w').write('a: 1')", 0),
+    ],
+)
+def test_a_file_that_the_code_of_a_launch_file_opens(findings, code, found):
+    """No other file need have a name like it: launch stops with a FileNotFoundError."""
+    files = {"launch/py.launch.py": OPENS.format(code=code), "config/other_things.yaml": ""}
+    assert len(findings("LCH004", **files)) == found
+
+
+def test_a_file_that_is_opened_and_that_git_ignores(findings):
+    files = {"launch/py.launch.py": OPENS.format(code="open(path)"), "config/other.yaml": "", ".gitignore": "tf.yaml"}
+    assert findings("LCH004", **files) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "found"),
+    [
+        ("launch/robot.yaml", "launch:\n- arg: {name: map, default: $(find-pkg-share robot)/config/no.yaml}\n", 1),
+        ("launch/robot.yaml", "talker:\n  ros__parameters:\n    launch: 1\n", 0),
+        ("config/robot.yaml", "launch:\n- arg: {name: map, default: $(find-pkg-share robot)/config/no.yaml}\n", 0),
+    ],
+)
+def test_a_launch_file_in_yaml_that_is_not_named_so(findings, file, text, found):
+    reads = "- node: {pkg: robot, exec: talker, param: [{from: $(var map)}]}\n" if text.startswith("launch") else ""
+    assert len(findings("LCH004", **{file: text + reads})) == found

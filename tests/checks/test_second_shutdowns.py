@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from checks.judging import Judge
+from robot_package import manifest
 
 PROGRAM = """
     import sys
@@ -99,13 +100,26 @@ def test_a_program_that_has_its_own_way_with_signals(judge: Judge, own: str):
     judge("EXE015", program(*SHUT).replace("rclpy.init()", own, 1), config=JAZZY)
 
 
-@pytest.mark.parametrize("distros", ["", 'distro = "kilted"\n'])
-def test_a_distribution_in_which_nothing_happens(judge: Judge, distros: str):
-    judge("EXE015", program(*SHUT), config=distros)
+def test_a_distribution_in_which_nothing_happens(judge: Judge):
+    judge("EXE015", program(*SHUT), config='distro = "kilted"\n')
 
 
 @pytest.mark.parametrize(
-    ("text", "mark"), [("For ROS 2 Humble.", "  # here"), ("For Jazzy and Kilted.", ""), ("For ROS 2.", "")]
+    ("cmake", "mark"),
+    [
+        ("cmake_minimum_required(VERSION 3.8)", "  # here"),
+        ("cmake_minimum_required(VERSION 3.5)", ""),  # from the template of Foxy, whose Ctrl-C leaves rclpy as it is
+    ],
+)
+def test_a_workspace_that_names_no_distribution(judge: Judge, cmake: str, mark: str):
+    (judge.folder / "package.xml").write_text(manifest(build_type="ament_cmake"), encoding="utf-8")
+    (judge.folder / "CMakeLists.txt").write_text(f"{cmake}\nproject(robot)\n", encoding="utf-8")
+    for finding in judge("EXE015", program(*SHUT[:-1], SHUT[-1] + mark)):
+        assert finding.message.startswith("after Ctrl-C this raises RCLError on Humble and Jazzy:")
+
+
+@pytest.mark.parametrize(
+    ("text", "mark"), [("For ROS 2 Humble.", "  # here"), ("For Jazzy and Kilted.", ""), ("For Foxy.", "")]
 )
 def test_what_a_readme_says(judge: Judge, text: str, mark: str):
     (judge.folder / "README.md").write_text(text, encoding="utf-8")

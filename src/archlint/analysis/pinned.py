@@ -89,6 +89,20 @@ def names_no_distro(workspace: WorkspaceIndex) -> bool:
     return not _named_or_told(workspace)
 
 
+def may_be_of_old_template(workspace: WorkspaceIndex) -> bool:
+    """Whether some package may come from the template of ``ros2 pkg create`` before Humble, by the beginning of its
+    CMakeLists.txt or the list of packages in its setup.py.
+
+    Source: ros2pkg/resource, which has ``VERSION 3.8`` and ``find_packages(exclude=['test'])`` since Humble.
+    """
+    folders = (package.relative for package in workspace.packages.values() if not package.ros1)
+    files = (posixpath.normpath(f"{folder}/{name}") for folder in folders for name in ("CMakeLists.txt", "setup.py"))
+    return any(_OLD_TEMPLATE.search(workspace.tree.text(file) or "") for file in files)
+
+
+_OLD_TEMPLATE = re.compile(r"\bcmake_minimum_required\s*\(\s*VERSION\s+(?:2\.|3\.[0-7]\b)|\bpackages=\[package_name\],")
+
+
 def ubuntu_releases(workspace: WorkspaceIndex) -> frozenset[str]:
     """The releases of Ubuntu that a workspace may be for, by the same evidence; where it says nothing, the two that
     most robots run."""

@@ -21,6 +21,7 @@ WHAT = {
     FileKind.LAUNCH: "launch file",
     FileKind.PARAMETERS: "parameter file",
     FileKind.RVIZ: "RViz configuration",
+    FileKind.READ: "file",
     FileKind.OTHER: "file",
     FileKind.ARGUMENT: "file",
 }

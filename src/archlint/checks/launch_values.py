@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         IdleGroup,
         MissingArguments,
         NotAChoice,
+        RefusedExpression,
         RefusedValue,
         WithoutContext,
     )
@@ -49,6 +50,8 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         )
     for failing in system.launched.without_context if system.launched is not None else ():
         yield _without_context(failing)
+    for refused_text in system.launched.expressions if system.launched is not None else ():
+        yield _refused_expression(refused_text)
     for absent in system.launched.absent_keys if system.launched is not None else ():
         yield _absent_key(absent)
     for refused in system.launched.refused if system.launched is not None else ():
@@ -112,6 +115,20 @@ def _absent_key(absent: AbsentKey) -> Finding:
 
 
 _ABSENT = "absent keys"
+
+
+def _refused_expression(refused: RefusedExpression) -> Finding:
+    """The finding for the text of a launch argument that stands in an expression as if it were Python."""
+    is_truth = refused.name in ("true", "false")
+    return finding(
+        "LCH008",
+        refused.place,
+        f"Python knows no '{refused.name}': the expression `{refused.text}` stops this launch with a NameError",
+        help="put quotes around the substitution, so that Python sees a text"
+        + (f", and compare that: \"'…' == '{refused.name}'\"" if is_truth else ""),
+        identity=(refused.place.file, refused.name),
+        group=(refused.place.file, "expression", refused.name),
+    )
 
 
 def _what_is_there(absent: AbsentKey) -> str:

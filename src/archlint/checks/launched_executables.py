@@ -15,6 +15,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch.kinds import StartedKind
 from archlint.launch_files.shown_files import is_shown_only
+from archlint.launch_files.unadded_programs import unadded_programs
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
 from archlint.packaging.entry_points import is_empty, starts_nothing
 from archlint.ros.released_programs import programs_instead, programs_of
@@ -32,44 +33,52 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None or system.workspace is None:
         return
     for started in system.launched.started:
-        installs = system.workspace.installs.get(started.package.text or "")
-        name = started.executable.text
-        if name is None or started.executable.resolution != "exact":
-            continue
-        if started.kind is StartedKind.COMPONENT and installs is None:
-            yield from _component_from_no_package(system.workspace, started, name)
-        if started.kind not in (StartedKind.NODE, StartedKind.CONTAINER):
-            continue
-        if installs is None and started.package.text in options.external:
-            continue
-        if installs is None:
-            yield from _from_no_package(system, system.workspace, started, name)
-            continue
-        entry = installs.executables.get(name)
-        package = system.workspace.packages.get(installs.package)
-        if entry is not None and not (is_ignored_by_cmake(package, entry) and not _is_named_by_cmake(installs, name)):
-            yield from _not_in_sight(installs, started, name)
-            continue
-        if posixpath.isabs(name):
-            continue  # launch_ros starts that file, and asks the package only for its folder: a Python of its own, say
-        unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
-        if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:
-            continue
-        if entry is not None:
-            yield _unread_entry(started, name, entry, _installed(system.workspace, installs))
-            continue
-        advice = _included(installs, started, name, system.workspace) or _instead(installs, name, system.workspace)
-        told = finding(
-            "LCH001",
-            started.places.get("executable", started.place),
-            f"package '{installs.package}' installs no executable '{name}'{advice.hint}",
-            help=advice.help,
-            identity=(installs.package, name),
-            group=(installs.package, _LEFT_OUT if advice.is_left_out else name),
-        )
-        # A file that only shows how one is written may have made-up names.
-        is_made_up = not advice.hint and is_shown_only(system)
-        yield replace(told, severity=Severity.INFO) if is_made_up else told
+        yield from _of_program(system, system.workspace, options, started)
+    for started in unadded_programs(system):  # which launch would look for, once something adds them
+        for told in _of_program(system, system.workspace, options, started):
+            yield replace(told, severity=Severity.INFO)
+
+
+def _of_program(system: System, workspace: WorkspaceIndex, options: Options, started: Started) -> Iterator[Finding]:
+    """The finding for one program, if it cannot be started."""
+    installs = workspace.installs.get(started.package.text or "")
+    name = started.executable.text
+    if name is None or started.executable.resolution != "exact":
+        return
+    if started.kind is StartedKind.COMPONENT and installs is None:
+        yield from _component_from_no_package(workspace, started, name)
+    if started.kind not in (StartedKind.NODE, StartedKind.CONTAINER):
+        return
+    if installs is None and started.package.text in options.external:
+        return
+    if installs is None:
+        yield from _from_no_package(system, workspace, started, name)
+        return
+    entry = installs.executables.get(name)
+    package = workspace.packages.get(installs.package)
+    if entry is not None and not (is_ignored_by_cmake(package, entry) and not _is_named_by_cmake(installs, name)):
+        yield from _not_in_sight(installs, started, name)
+        return
+    if posixpath.isabs(name):
+        return  # launch_ros starts that file, and asks the package only for its folder: a Python of its own, say
+    unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
+    if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:
+        return
+    if entry is not None:
+        yield _unread_entry(started, name, entry, _installed(workspace, installs))
+        return
+    advice = _included(installs, started, name, workspace) or _instead(installs, name, workspace)
+    told = finding(
+        "LCH001",
+        started.places.get("executable", started.place),
+        f"package '{installs.package}' installs no executable '{name}'{advice.hint}",
+        help=advice.help,
+        identity=(installs.package, name),
+        group=(installs.package, _LEFT_OUT if advice.is_left_out else name),
+    )
+    # A file that only shows how one is written may have made-up names.
+    is_made_up = not advice.hint and is_shown_only(system)
+    yield replace(told, severity=Severity.INFO) if is_made_up else told
 
 
 def _not_in_sight(installs: Installs, started: Started, name: str) -> Iterator[Finding]:

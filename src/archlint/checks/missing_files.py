@@ -145,7 +145,17 @@ def _need_not_be_here(system: System, reference: FileReference, shown: str) -> b
     """Whether a file that is not there is made by the build, or may be where the project is used."""
     package = reference.package or ""
     trained = shown.endswith(_TRAINED) and not _file_meant(system.workspace, package, shown)
-    return trained or is_generated(system.workspace, package, shown)
+    own = reference.kind == FileKind.READ and _is_kept_out(system, reference, shown)
+    return trained or own or is_generated(system.workspace, package, shown)
+
+
+def _is_kept_out(system: System, reference: FileReference, shown: str) -> bool:
+    """Whether git ignores a file: everyone who launches has one of his own."""
+    installs = None if system.workspace is None else system.workspace.installs.get(reference.package or "")
+    if system.workspace is None or installs is None:
+        return False
+    path = _in_package(system, reference, shown)
+    return is_ignored(system.workspace, posixpath.normpath(posixpath.join(installs.folder, path)))
 
 
 def _mixtures(references: Sequence[FileReference]) -> set[FileReference]:

@@ -61,7 +61,7 @@ def systems_of(
         raise NothingToDo(_no_launch_file(request, launches.files))
     launched = run_launches(launches, request.launch, dict(request.launch_arguments))
     follow_started_ahead(linker, entries, launches, launched, request.launch, request.settings.launch)
-    index = _index(inputs, files, installs, linker, launches)
+    index = _index(inputs, files, installs, linker, launches, _programs(entries, workspace))
     linker.ahead.beside = beside(index)
     followed = linker.run_all(entries)
     programs = forget_names(followed, linker.started.values(), installs, linker.own)
@@ -92,9 +92,14 @@ def systems_of(
 
 
 def _index(
-    inputs: Inputs, files: WorkspaceFiles, installs: Mapping[str, Installs], linker: Linker, launches: Launches
+    inputs: Inputs,
+    files: WorkspaceFiles,
+    installs: Mapping[str, Installs],
+    linker: Linker,
+    launches: Launches,
+    programs: frozenset[str],
 ) -> WorkspaceIndex:
-    """What is known of the whole workspace."""
+    """What is known of the whole workspace; ``programs`` are the files that are installed as such."""
     workspace = inputs.workspace
     return WorkspaceIndex(
         installs,
@@ -107,12 +112,20 @@ def _index(
         faults=launches.faults,
         interfaces=linker.interfaces,
         is_subset=is_subset(inputs.request, workspace),
-        roles=linker.index.roles,
+        roles=replace(linker.index.roles, programs=programs),
         cut_short=linker.cut_short,
         declaration_files=declaration_files(workspace),
         beside=workspace.beside,
         summaries=inputs.summaries,
     )
+
+
+def _programs(entries: Sequence[EntryPoint], workspace: Workspace) -> frozenset[str]:
+    """The Python files that the executables of packages run."""
+    modules = {(entry.package, entry.module) for entry in entries if entry.file is None}
+    of_modules = (file.relative for file in workspace.files if (file.package, file.module) in modules)
+    scripts = (entry.file for entry in entries if entry.file is not None)
+    return frozenset((*of_modules, *(file.relative for file in scripts if file.kind != "cpp")))
 
 
 def declaration_files(workspace: Workspace) -> list[str]:

@@ -16,6 +16,7 @@ from archlint.launch.mistakes import (
     NotAChoice,
     NotACondition,
     NotAPath,
+    RefusedExpression,
     RefusedValue,
     UndeclaredUse,
     UnknownAttribute,
@@ -34,7 +35,7 @@ LAUNCHES: Final = Language(
     (
         *(Launched, Started, Bridged, Remap, Included, DeclaredArgument, Gap, Place, Text),
         *(ParameterSetting, ParameterFileUse, OpenParameters, FileReference, Rewriting, Replacing, Written),
-        *(NotKnown, AbsentKey, LeakedArgument, NotACondition, NotAPath, RefusedValue, UndeclaredUse),
+        *(NotKnown, AbsentKey, LeakedArgument, NotACondition, NotAPath, RefusedExpression, RefusedValue, UndeclaredUse),
         *(UnknownAttribute, WithoutContext, MissingArguments, NotAChoice, IdleGroup, JoinedFolder),
         *(branches.CodeBranch, branches.ChoiceOfCallee, branches.ChoiceOfArgument, branches.AttributeBranch),
         *(branches.ArgumentBranch, branches.UnfollowedCondition, branches.ChoiceOfValue, branches.ChoiceOfVisit),

@@ -87,9 +87,17 @@ class LaunchFiles:
             if file.kind == "launch_python" or (file.kind == "python" and "launch" in file.relative):
                 if self._defines_launch(file):
                     paths.append(file.relative)
-            elif file.kind in LAUNCH_TEXT_KINDS and self.frontend(file.relative).root is not None:
+            elif self._may_be_launch_text(file) and self.frontend(file.relative).root is not None:
                 paths.append(file.relative)
         return sorted(paths)
+
+    def _may_be_launch_text(self, file: SourceFile) -> bool:
+        """Whether a file is a launch file in XML or YAML by its name, or lies in a folder ``launch`` and says
+        ``launch:``: ``ros2 launch`` takes a YAML file of any name."""
+        if file.kind in LAUNCH_TEXT_KINDS:
+            return True
+        beside_launch_files = file.kind == "parameters" and "launch" in file.relative.split("/")[:-1]
+        return beside_launch_files and _YAML.search(self._tree.text(file.relative) or "") is not None
 
     def of_tests(self) -> list[str]:
         """The launch files of test code, which are not among :meth:`all`."""

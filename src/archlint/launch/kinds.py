@@ -11,6 +11,8 @@ class FileKind(StringEnum):
     LAUNCH = "launch"
     PARAMETERS = "parameters"
     RVIZ = "rviz"
+    READ = "read"
+    """What the code of a launch file opens itself, so that the launch ends where it is not there."""
     OTHER = "other"
     """Whatever else is named by a path in the share folder of a package."""
     ARGUMENT = "argument"

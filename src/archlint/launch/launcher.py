@@ -123,7 +123,6 @@ class Launcher(LaunchRun):
         if lost is not None:
             self.result.undefined[Place(path, *lost.span)] = lost.id
             self.gap(f"{path} fails at '{lost.id}', which is not defined")
-            return
         with self.root(module):
             self.import_module(module)
             assert module.scope is not None

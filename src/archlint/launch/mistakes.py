@@ -79,6 +79,15 @@ class NotACondition:
 
 
 @dataclass(frozen=True)
+class RefusedExpression:
+    """A text that a ``PythonExpression`` or ``$(eval …)`` hands to Python, which knows no ``name`` in it."""
+
+    text: str
+    name: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class WithoutContext:
     """A ``perform()`` that fails: a ``substitution`` is ``given`` what is no launch context, or (empty) a new one, in
     which no launch argument has a value."""

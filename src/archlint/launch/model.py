@@ -16,6 +16,7 @@ from archlint.launch.mistakes import (
     NotAChoice,
     NotACondition,
     NotAPath,
+    RefusedExpression,
     RefusedValue,
     UndeclaredUse,
     UnknownAttribute,
@@ -110,6 +111,7 @@ class Launched:
     incomplete: list[MissingArguments] = field(default_factory=list)
     idle_groups: list[IdleGroup] = field(default_factory=list)
     no_choices: list[NotAChoice] = field(default_factory=list)
+    expressions: list[RefusedExpression] = field(default_factory=list)
     without_context: list[WithoutContext] = field(default_factory=list)
     absent_keys: list[AbsentKey] = field(default_factory=list)
     joined: list[NotAPath] = field(default_factory=list)

@@ -29,6 +29,7 @@ from archlint.launch.shared_paths import note_paths
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
 _FOR_WRITING = ("w", "wt", "w+")
+_FOR_READING = ("None", "r", "rb", "rt")
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -45,17 +46,26 @@ def _open(run: LaunchRun, site: CallSite) -> Value:
     if mode in _FOR_WRITING and path is not None:
         return written_files.written_file(run, path)
     if site.args and isinstance(site.args[0], Known):
-        if len(site.args) == 1 and not site.keywords.keys() - {"encoding"} and not run.activation.tries:
-            note_paths(run, site.args, run.place_now)
+        if mode in _FOR_READING and not site.keywords.keys() - {"encoding", "mode"}:
+            _note_read(run, site)
         return file_texts.opened(run, site.args[0])
     return Unknown(reason(*site.args) if site.args else "a file")
 
 
 def _processed(run: LaunchRun, site: CallSite) -> Value:
     """``xacro.process_file(path)`` and ``xacro.process(path)``, which read a robot."""
-    if site.args and not run.activation.tries:
-        note_paths(run, site.args[:1], run.place_now)
+    if site.args:
+        _note_read(run, site)
     return Unknown("what xacro makes of a file")
+
+
+def _note_read(run: LaunchRun, site: CallSite) -> None:
+    """Note the file that a call reads, which ends the launch if it is not there."""
+    place = run.place_now if site.expression is None else run.place(site.expression.span)
+    if stops_the_launch(run):
+        note_paths(run, site.args[:1], place, kind=FileKind.READ)
+    elif not run.activation.tries:
+        note_paths(run, site.args[:1], run.place_now)
 
 
 def _load_yaml(run: LaunchRun, site: CallSite) -> Value:

@@ -33,12 +33,14 @@ def is_written(parameter: str | None) -> bool:
     return parameter is None or not _WRITTEN.isdisjoint(re.split(r"[\W_]+", parameter.lower()))
 
 
-def note_paths(run: LaunchRun, values: Iterable[Value], place: Place, name: str | None = None) -> None:
+def note_paths(
+    run: LaunchRun, values: Iterable[Value], place: Place, name: str | None = None, kind: FileKind = FileKind.OTHER
+) -> None:
     """Note the values that are paths of files, but for those of RViz, which are noted as such."""
     for value in values:
         text = known_text(value) or ""
         if _SHARED.fullmatch(text) and not text.endswith(".rviz"):
-            run.reference(FileKind.OTHER, value, place, name)
+            run.reference(kind, value, place, name)
 
 
 def note_value(run: LaunchRun, name: str | None, text: str, place: Place, given: Place | None = None) -> None:

@@ -35,6 +35,8 @@ class FileRoles:
     """
 
     below: str = ""
+    programs: frozenset[str] = frozenset()
+    """The files that packages install as programs: one in no folder of tests is a node, whatever its name."""
 
     @classmethod
     def of(cls, paths: Iterable[str]) -> FileRoles:
@@ -42,8 +44,10 @@ class FileRoles:
         return cls(common_folder(list(paths)))
 
     def is_test(self, path: str) -> bool:
-        """Whether a file is test code: in a folder ``test`` or ``tests`` of the workspace, or named like a test."""
-        return _is_test(self._below_workspace(path))
+        """Whether a file is test code: in a folder ``test`` or ``tests`` of the workspace, or named like a test and not
+        installed as a program."""
+        below = self._below_workspace(path)
+        return _is_test(below) and (path not in self.programs or _is_in_folder_of_tests(below))
 
     def is_trial(self, path: str) -> bool:
         """Whether a file is test code, or replaces something (a mock), or tries it out, by a word in its own name or in
@@ -77,14 +81,13 @@ class FileRoles:
 
 @lru_cache(maxsize=50_000)  # asked of each call that programs make
 def _is_test(path: str) -> bool:
-    *folders, name = path.split("/")
-    stem = name.removesuffix(".py")
-    return (
-        any(folder in ("test", "tests") for folder in folders)
-        or stem.startswith("test_")
-        or stem.endswith("_test")
-        or stem == "conftest"
-    )
+    stem = path.rpartition("/")[2].removesuffix(".py")
+    named = stem.startswith("test_") or stem.endswith("_test") or stem == "conftest"
+    return named or _is_in_folder_of_tests(path)
+
+
+def _is_in_folder_of_tests(path: str) -> bool:
+    return any(folder in ("test", "tests") for folder in path.split("/")[:-1])
 
 
 def common_folder(paths: Sequence[str]) -> str:

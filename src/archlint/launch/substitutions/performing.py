@@ -21,7 +21,7 @@ from archlint.interpreter.values import (
 from archlint.launch.functions import ask
 from archlint.launch.objects import LaunchObject, made_by_base, own_method
 from archlint.launch.shared_paths import note_paths_in_command
-from archlint.launch.substitutions import logic, nav2, paths, texts
+from archlint.launch.substitutions import expressions, logic, nav2, paths, texts
 from archlint.launch.tables import LaunchClass
 
 if TYPE_CHECKING:
@@ -108,7 +108,7 @@ SUBSTITUTIONS: dict[LaunchClass, Callable[[LaunchRun, LaunchObject], Value]] = {
     LaunchClass.THIS_LAUNCH_FILE_DIR: paths.here,
     LaunchClass.THIS_LAUNCH_FILE: paths.this_file,
     LaunchClass.ANON_NAME: texts.anonymous,
-    LaunchClass.PYTHON_EXPRESSION: texts.python_expression,
+    LaunchClass.PYTHON_EXPRESSION: expressions.python_expression,
     LaunchClass.NOT_SUBSTITUTION: logic.negation,
     LaunchClass.AND_SUBSTITUTION: logic.connective(False),
     LaunchClass.ALL_SUBSTITUTION: logic.connective(False),

@@ -6,7 +6,6 @@ import posixpath
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import constant_expressions
 from archlint.interpreter.values import (
     Known,
     ListValue,
@@ -127,14 +126,3 @@ _SET_EVERYWHERE = frozenset({"HOME", "LOGNAME", "PATH", "PWD", "SHELL", "USER"})
 def anonymous(run: LaunchRun, value: LaunchObject) -> Value:
     name = run.perform(value.argument("name"))
     return join_texts((name, Known("_"), Unknown("a name that launch makes unique")))
-
-
-def python_expression(run: LaunchRun, value: LaunchObject) -> Value:
-    return each_text(run.perform(value.argument("expression")), _evaluated)
-
-
-def _evaluated(expression: str) -> Value:
-    try:
-        return Known(str(constant_expressions.evaluate(expression)))
-    except constant_expressions.NotFollowed as error:
-        return Unknown(str(error))
