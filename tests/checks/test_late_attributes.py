@@ -97,6 +97,32 @@ def test_a_condition_about_what_another_message_brings(judge: Judge):
     )
 
 
+OTHER = """
+class Operator:
+    def __init__(self, steering):
+        self.steering = steering
+
+    def slow_down(self):
+        {call}
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "here"),
+    [("self.steering.set_limit(1.0)", ""), ("self.set_limit(1.0)", "  # here")],
+    ids=["an object that it is given", "a method of its own"],
+)
+def test_a_method_that_another_file_calls_without_a_word_for_the_module(judge: Judge, call: str, here: str):
+    source = _node(
+        TIMER,
+        "def steer(self):",
+        f"    print(self.limit){here}",
+        "def set_limit(self, limit):",
+        "    self.limit = limit",
+    )
+    judge("API002", source, OTHER.replace("{call}", call) + "\n    def set_limit(self, limit):\n        pass\n")
+
+
 def test_the_constructor_itself(judge: Judge):
     (finding,) = judge("API002", _node("self.report()", "def report(self):", "    print(self.height)  # here"))
     assert finding.message.endswith("if its __init__() comes here first")
@@ -131,20 +157,17 @@ def test_a_method_that_nothing_calls(judge: Judge):
     assert finding.help == "assign self.limit in __init__(), or call or register set_limit()"
 
 
-def test_what_is_wrong_in_a_method_that_nothing_calls_is_one_finding(findings):
+@pytest.mark.parametrize(("registers", "told"), [("'a', self.report", 2), ("'a', print", 0)])
+def test_what_is_wrong_in_a_method_that_nothing_calls(findings, registers: str, told: int):
     methods = """
-    def hear(self, message):
-        self.heard = message
-
-    def report(self):
+    def report(self, message):
         print(self.width)
         print(self.heard)
 """
-    timer = "        self.create_timer(1.0, print); self.create_subscription(String, 'a', self.tick, 10)\n"
-    methods += "\n    def tick(self, message):\n        pass\n"
+    timer = f"        self.create_timer(1.0, print); self.create_subscription(String, {registers}, 10)\n"
     talker = TALKER.replace("\ndef main", f"{timer}{methods}\ndef main")
-    told = findings("API002", **{"robot/talker.py": talker})
-    assert [(row.help, len(row.related)) for row in told] == [("delete report(), which nothing calls", 1)]
+    rows = findings("API002", **{"robot/talker.py": talker})
+    assert sum(1 + len(row.related) for row in rows) == told
 
 
 def test_all_of_a_class_are_one_finding(judge: Judge):

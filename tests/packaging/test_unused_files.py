@@ -97,6 +97,7 @@ def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Told:
         pytest.param({"robot/tools/measure.py": LOADED}, id="a tool that nothing installs"),
         pytest.param({"robot/robot/old/probe.py": FAILS, "robot/robot/old/__init__.py": ""}, id="put aside"),
         pytest.param({"robot/robot/2024_back_up/driver.py": FAILS}, id="an old copy of what runs"),
+        pytest.param({"robot/tools/measure.py": FAILS}, id="whose author starts it by its path"),
     ],
 )
 def test_a_script_that_nothing_runs(told: Told, files: dict[str, str]):
@@ -118,7 +119,6 @@ def test_a_script_that_nothing_runs(told: Told, files: dict[str, str]):
         ),
         pytest.param({"robot/robot/probe.py": FAILS, "robot/setup.py": "import setuptools\n"}, id="nothing installed"),
         pytest.param({"tools/probe.py": FAILS}, id="beside the packages"),
-        pytest.param({"robot/tools/measure.py": FAILS}, id="run by hand"),
         pytest.param(
             {
                 "robot/robot/probe.py": FAILS,

@@ -238,9 +238,12 @@ def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
     """Whether the files that build the package mention a script, or a launch file does so as a file or a module."""
     stem = file.rpartition("/")[2].removesuffix(".py")
     same = installs.executables.get(stem)
-    if same is not None and same.module is not None:
-        return file in workspace.code.files_named(same.package, same.module)  # or that name means another file
-    target = same is not None and same.script is None  # of C++, whose words are about a source of its own
+    meant = () if same is None or same.module is None else workspace.code.files_named(same.package, same.module)
+    if meant:
+        return file in meant  # or that name means another file
+    target = (
+        same is not None and same.script is None and same.module is None
+    )  # of C++, whose words are about a source of its own
     if f"{stem}.py" in installs.words or (not target and _is_built(workspace, installs, stem)):
         return True
     # A launch file starts executables by their names, and this file is none: only as a file or a module can it run.

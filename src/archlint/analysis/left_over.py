@@ -147,12 +147,6 @@ def idle_callers(workspace: WorkspaceIndex, file: str, method: str) -> frozenset
     return frozenset(reached)
 
 
-def is_named_nowhere(workspace: WorkspaceIndex, file: str, method: str) -> bool:
-    """Whether a file does not name a method that it defines, not even in another that nothing calls."""
-    uses = _uses(workspace, file)
-    return uses is not None and method in uses.idle and method not in uses.count
-
-
 @dataclass(frozen=True)
 class _Uses:
     """The attributes that a file names: how often each, and which calls are kept in one of ``self``."""

@@ -62,6 +62,17 @@ def is_called_elsewhere(workspace: WorkspaceIndex, file: str, method: str) -> bo
     return any(code.mentions(other, module) and _may_call(workspace, other, file, method) for other in others)
 
 
+def is_asked_of_others(workspace: WorkspaceIndex, file: str, method: str) -> bool:
+    """Whether another Python file asks an object that is not its own for a method of that name (``self.robot.turn()``):
+    it need not name the module of a class whose object it is given, or that the package offers by another name."""
+    return any(
+        part.attr == method and part.dotted != f"self.{method}"
+        for other in workspace.code.files_that_mention(method)
+        if other != file and (code := workspace.facts_at(other)) is not None
+        for part in everything_in(code.body, facts.Attribute)
+    )
+
+
 def _may_call(workspace: WorkspaceIndex, file: str, module: str, method: str) -> bool:
     """Whether a file may call the method of a module.  One that has a method of that name, and asks nothing else than
     ``self`` for it, means its own."""
@@ -73,4 +84,4 @@ def _may_call(workspace: WorkspaceIndex, file: str, module: str, method: str) ->
     return not of_itself and module in workspace.code.reached_from([file])
 
 
-__all__ = ["is_called_elsewhere", "uncalled_main", "uncalled_method"]
+__all__ = ["is_asked_of_others", "is_called_elsewhere", "uncalled_main", "uncalled_method"]

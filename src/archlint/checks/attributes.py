@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
-from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
+from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.launch_files.launch_properties import ActionOverwritten, overwritten_actions
 from archlint.place import Place
@@ -83,7 +83,7 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     for read in unassigned_attributes(system.workspace):
         if (read.place.file, read.name) not in told:
             diagnostic = _unassigned(system.workspace, read)
-            yield from [diagnostic] if read.is_slip or read.local else once_where_uncalled(system, diagnostic)
+            yield from [diagnostic] if read.is_slip or read.local else unless_uncalled(system, diagnostic)
 
 
 def _overwritten(assignment: Overwritten) -> Finding:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
-from archlint.checks.uncalled import once_where_uncalled, uncalled_in_program
+from archlint.checks.uncalled import uncalled_in_program, unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.late_attributes import Late, LateRead, late_attributes
 from archlint.python_code.methods_at_work import Called
@@ -26,10 +26,10 @@ def late_attribute_findings(system: System) -> Iterator[Finding]:
         if read.late is not Late.NEVER:
             yield _finding(read)
         elif read.is_unshared or uncalled_in_program(system, read.assigned) is not None:
-            yield from once_where_uncalled(system, _finding(read))
+            yield from unless_uncalled(system, _finding(read))
 
     for unspun in () if system.workspace is None else unspun_reads(system.workspace):
-        yield from once_where_uncalled(system, _unspun(unspun))
+        yield from unless_uncalled(system, _unspun(unspun))
 
 
 def _unspun(read: UnspunRead) -> Finding:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.uncalled import once_where_uncalled
+from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding
 from archlint.python_code.parameters_as_values import Outcome, ParameterUse, parameter_uses
 
@@ -28,7 +28,7 @@ def parameter_as_value(system: System, options: Options) -> Iterator[Finding]:
             identity=(use.outcome, use.by),
             group=(use.place.file,),
         )
-        yield from once_where_uncalled(system, diagnostic)
+        yield from unless_uncalled(system, diagnostic)
 
 
 def _message(use: ParameterUse) -> str:

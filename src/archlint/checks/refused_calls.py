@@ -27,7 +27,7 @@ from archlint.checks.refused_by_rclcpp import OF_RCLCPP, moved_name_findings, re
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
-from archlint.checks.uncalled import UNCALLED, unless_uncalled
+from archlint.checks.uncalled import unless_uncalled
 from archlint.checks.unported import (
     OF_ROS_1,
     functions_of_rospy,
@@ -212,7 +212,7 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
         return with_others(findings, "another line does", "more lines do", "the same")
     if findings[0].group[0] == OF_CLASS:
         return with_others(findings, "another line of the class does", "more lines of the class do", "the same")
-    if findings[0].group[0] in (UNASSIGNED, UNCALLED):
+    if findings[0].group[0] == UNASSIGNED:
         return with_others(
             findings, "another attribute of the class is", "more attributes of the class are", "like that"
         )

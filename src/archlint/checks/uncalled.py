@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
@@ -10,12 +9,9 @@ from archlint.analysis.behind_ends import is_behind_an_end
 from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.idle_helpers import is_idle_helper
 from archlint.analysis.kept_defaults import needs_another_default
-from archlint.analysis.left_over import is_named_nowhere
 from archlint.analysis.replaced_methods import is_replaced
 from archlint.analysis.uncalled_methods import uncalled_main, uncalled_method
 from archlint.analysis.unmet_choices import is_never_chosen
-from archlint.connections.lessons import is_lesson
-from archlint.finding import Severity
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -27,38 +23,23 @@ if TYPE_CHECKING:
 def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
     """The same finding; none where the file is a program and nothing calls that method, or only such methods do, and
     none behind a flag that stays false, for a choice that is never made, or for another value of a parameter than the
-    default that all calls leave it: it is left over, and nobody meets the mistake.  In a lesson it is information then,
-    with the advice to delete a method that nothing calls.  Nor is anything said of a method that a later one replaces,
-    or of a line behind the end of its block.
+    default that all calls leave it: it is left over, and nobody meets the mistake.  Nor is anything said of a method
+    that a later one replaces, or of a line behind the end of its block.
     What a library offers is for others to call, but for what a module without a word of ROS has and no file names."""
-    name = uncalled_in_program(system, diagnostic.place)
     place, workspace = diagnostic.place, system.workspace
-    if any(leaves_out(workspace, place) for leaves_out in (is_idle_helper, is_replaced, is_behind_an_end)):
-        return
-    if name is None and any(never(workspace, place) for never in _NEVER_REACHED):
-        if is_lesson(system):
-            yield replace(diagnostic, severity=Severity.INFO)
-    elif name is None or system.workspace is None:
+    if uncalled_in_program(system, place) is None and not any(never(workspace, place) for never in _NEVER_REACHED):
         yield diagnostic
-    elif is_lesson(system):
-        mild = replace(diagnostic, severity=Severity.INFO)
-        deletes = is_named_nowhere(system.workspace, diagnostic.place.file, name)
-        # Whoever deletes one that another calls breaks that one.
-        yield replace(mild, help=f"delete {name}(), which nothing calls") if deletes else mild
 
 
-_NEVER_REACHED = (is_switched_off, is_never_chosen, needs_another_default)
-"""What may keep a function from getting to a place."""
-UNCALLED = "uncalled"
-"""The group of findings about one method that nothing calls."""
-
-
-def once_where_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
-    """The same as :func:`unless_uncalled`; what is advised for a method that nothing calls, once for all that is wrong
-    in it."""
-    for told in unless_uncalled(system, diagnostic):
-        same = told.help == diagnostic.help
-        yield told if same else replace(told, group=(UNCALLED, told.place.file, told.help or ""))
+_NEVER_REACHED = (
+    is_idle_helper,
+    is_replaced,
+    is_behind_an_end,
+    is_switched_off,
+    is_never_chosen,
+    needs_another_default,
+)
+"""What may keep a program from getting to a place."""
 
 
 def uncalled_in_program(system: System, place: Place) -> str | None:
@@ -83,4 +64,4 @@ def _is_of_programs(system: System, file: str) -> bool:
     return not any(dependency.name == name for package in others for dependency in package.dependencies)
 
 
-__all__ = ["UNCALLED", "once_where_uncalled", "uncalled_in_program", "unless_uncalled"]
+__all__ = ["uncalled_in_program", "unless_uncalled"]

@@ -11,7 +11,7 @@ from archlint.analysis.source_code import code_of, source_code
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
+from archlint.checks.uncalled import unless_uncalled
 from archlint.checks.unported import is_part_of_port, told_of_rospy
 from archlint.finding import Finding, Related, Severity
 from archlint.packaging.missing_imports import missing_imports
@@ -60,7 +60,7 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
                 statement = None if stops else statement
                 leader = _IMPORTS if imports and not stops else read.name
                 told = replace(told, group=(read.place.file, leaders.setdefault((read.place.file, statement), leader)))
-            yield from once_where_uncalled(system, told)
+            yield from unless_uncalled(system, told)
         for local in unbound_locals(system.workspace):
             told = _too_early(local) if local.caught is None else _past_handler(local)
             if told.group[-1] == _EARLY:  # a statement fails at the first of its names, which tells the rest

@@ -10,7 +10,7 @@ from archlint.analysis.aside import is_disused
 from archlint.checks.registry import registered
 from archlint.checks.scope import Scope
 from archlint.packaging.unbuilt_files import runs_nowhere
-from archlint.packaging.unused_files import is_earlier_version, is_run_by_hand, nothing_runs
+from archlint.packaging.unused_files import is_earlier_version, nothing_runs
 
 if TYPE_CHECKING:
     from archlint.engine.request import Request
@@ -40,12 +40,12 @@ def _is_left(index: WorkspaceIndex, file: str) -> bool:
 def apart(index: WorkspaceIndex, findings: Iterable[Finding], files: Set[str]) -> tuple[list[Finding], list[Finding]]:
     """The findings that are shown, and those that are not, for they are in these files.  One about nodes that run
     together is shown if one of them is in another file, unless all others are put aside or are sources that nothing
-    compiles, and one about code that fails in a script that people run by hand, too."""
+    compiles."""
     shown: list[Finding] = []
     hidden: list[Finding] = []
     for finding in findings:
         own, others = finding.place.file, _others_of(finding)
-        unused = own in files and (others <= files or _never_meets(index, own)) and not _fails_by_hand(index, finding)
+        unused = own in files and (others <= files or _never_meets(index, own))
         alone = bool(others) and others <= files and all(_never_meets(index, other) for other in others)
         (hidden if _is_of_what_runs(finding) and (unused or alone) else shown).append(finding)
     return shown, hidden
@@ -55,29 +55,6 @@ def _never_meets(index: WorkspaceIndex, file: str) -> bool:
     """Whether the nodes of a file that nothing runs meet none that run: unlike a script, which somebody may start by
     its path, it is put aside, or nothing compiles it."""
     return is_disused(index, file) or (index.code.kind_of(file) == "cpp" and runs_nowhere(index, file))
-
-
-def _fails_by_hand(index: WorkspaceIndex, finding: Finding) -> bool:
-    return finding.code in _FAILS and is_run_by_hand(index, finding.place.file)
-
-
-_FAILS = frozenset(
-    {
-        "API001",
-        "API002",
-        "API003",
-        "API005",
-        "API006",
-        "EXE001",
-        "EXE004",
-        "EXE009",
-        "MSG001",
-        "MSG002",
-        "MSG003",
-        "TOP005",
-    }
-)
-"""Rules about code that stops a program, or that makes it hang, whoever starts it."""
 
 
 def count_of_files(findings: Iterable[Finding], files: Set[str]) -> int:

@@ -20,8 +20,6 @@ from archlint.analysis.aside import (
 from archlint.analysis.kept import once
 from archlint.packaging.unbuilt_files import runs_nowhere
 from archlint.packaging.uninstalled_files import is_left_out_launch_file, is_meant_to_start, is_told_to_run
-from archlint.syntax.walk import main_guard
-from archlint.workspace.comments import without_comments
 from archlint.workspace.model import LAUNCH_TEXT_KINDS
 
 if TYPE_CHECKING:
@@ -82,29 +80,6 @@ def _follows(version: re.Match[str], other: re.Match[str] | None) -> bool:
 
 def _parts(version: re.Match[str]) -> list[int]:
     return [int(part) for part in version["number"].split(".")]
-
-
-def is_run_by_hand(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a script that a package leaves out while it installs other programs is in use nevertheless: it asks
-    whether it is the program, so that who has the source starts it by its path, and nobody has put it aside, or taken
-    it out of the build by a comment."""
-    if workspace.code.kind_of(file) != "python" or not _is_spare_program(workspace, file):
-        return False
-    file_facts = workspace.facts_at(file)
-    aside = workspace.roles.is_put_aside(file) or is_disused(workspace, file) or _is_taken_out(workspace, file)
-    return file_facts is not None and not aside and main_guard(file_facts) is not None
-
-
-def _is_taken_out(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether the files that build the package of a script have a word for it in a comment alone."""
-    installs, stem = workspace.installs.get(workspace.package_of(file) or ""), posixpath.basename(file)
-    word = re.compile(rf"(?<!\w){re.escape(stem.removesuffix('.py'))}(?!\w)")
-    paths = [] if installs is None else [posixpath.join(installs.folder, name) for name in _BUILD_FILES]
-    texts = [workspace.tree.text(posixpath.normpath(path)) or "" for path in paths]
-    return any(word.search(text) for text in texts) and not any(word.search(without_comments(text)) for text in texts)
-
-
-_BUILD_FILES = ("setup.py", "setup.cfg", "CMakeLists.txt")
 
 
 def _is_put_aside(workspace: WorkspaceIndex, file: str) -> bool:
@@ -173,4 +148,4 @@ def _tested(workspace: WorkspaceIndex) -> frozenset[str]:
     return workspace.code.reached_from(path for path in python if workspace.roles.is_test(path))
 
 
-__all__ = ["is_earlier_version", "is_run_by_hand", "nothing_runs"]
+__all__ = ["is_earlier_version", "nothing_runs"]

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from archlint.analysis.uncalled_methods import is_called_elsewhere
+from archlint.analysis.uncalled_methods import is_asked_of_others, is_called_elsewhere
 from archlint.place import Place
 from archlint.python_code.class_chains import (
     ClassInFile,
@@ -129,6 +129,8 @@ def _is_certain(workspace: WorkspaceIndex, cls: ClassInFile, row: _Row) -> bool:
     if file_facts is None or _calls_from_outside(file_facts, row.alone):
         return False
     if any(is_called_elsewhere(workspace, cls.file, name) for name in row.alone):
+        return False
+    if any(is_asked_of_others(workspace, cls.file, name) for name in row.alone):
         return False
     return not may_be_set(workspace, cls, row.name)
 
