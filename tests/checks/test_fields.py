@@ -825,6 +825,28 @@ def test_what_one_file_imports_in_vain_is_one_finding(judge: Judge):
     assert [(row.place.line, row.message) for row in found.related] == [(3, "'Key' is imported here")]
 
 
+@pytest.mark.parametrize("build_type", ["ament_cmake", "ament_python"])
+def test_a_package_whose_build_generates_no_interfaces(judge: Judge, build_type: str):
+    build = f"<export><build_type>{build_type}</build_type></export>"
+    lay_out(
+        judge,
+        {
+            "rover/package.xml": f"<package format='3'><name>rover</name>{build}</package>",
+            "rover/msg/Stop.msg": "int32 x\n",
+            "rover/CMakeLists.txt" if build_type == "ament_cmake" else "rover/setup.py": (
+                "project(rover)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+                if build_type == "ament_cmake"
+                else "from setuptools import setup\n\nsetup(name='rover')\n"
+            ),
+        },
+    )
+    [found] = judge("MSG002", "import rclpy\nfrom rover.msg import Box  # here\nrclpy.create_node('x')\n")
+    assert found.help == (
+        "define it in a package whose build calls rosidl_generate_interfaces(), as that of rover does not, and "
+        "import it from there"
+    )
+
+
 TAGS = """
 import rclpy
 from rover.msg import Target

@@ -288,8 +288,8 @@ start()
     ],
 )
 def test_a_branch_that_a_constant_of_the_module_switches_off(judge: Judge, value: str, more: str, told: bool) -> None:
-    (finding,) = judge("API001", SWITCHED.format(value=value, more=more))
-    assert finding.severity is (Severity.ERROR if told else Severity.INFO)  # a lesson: not left out
+    source = SWITCHED.format(value=value, more=more)
+    judge("API001", source if told else source.replace("  # here", ""))
 
 
 @pytest.mark.parametrize(
@@ -297,8 +297,8 @@ def test_a_branch_that_a_constant_of_the_module_switches_off(judge: Judge, value
     [("not FAST", False), ("FAST", True), ("FAST or rclpy.ok()", True), ("rclpy.ok() and not FAST", False)],
 )
 def test_what_a_constant_decides(judge: Judge, test: str, told: bool) -> None:
-    (finding,) = judge("API001", SWITCHED.format(value="True", more="").replace("if FAST", f"if not ({test})"))
-    assert finding.severity is (Severity.ERROR if told else Severity.INFO)
+    source = SWITCHED.format(value="True", more="").replace("if FAST", f"if not ({test})")
+    judge("API001", source if told else source.replace("  # here", ""))
 
 
 def test_a_constant_that_another_file_sets(judge: Judge) -> None:

@@ -282,6 +282,52 @@ def test_in_a_large_workspace_a_function_that_nothing_calls_is_for_those_who_ask
     assert len(judge("TMO002", text, config=config)) == expected
 
 
+SAYS_SO = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import String
+    from std_srvs.srv import Trigger
+
+
+    class Mover(Node):
+        def __init__(self):
+            {doc}
+            super().__init__('mover')
+            self.create_subscription(String, 'words', print, 10)
+            {above}
+            self.client = self.create_client(Trigger, 'arm')
+            self.client.wait_for_service()  # here
+            # then it waits no more
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Mover())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("doc", "above", "severity"),
+    [
+        ("", "", Severity.WARNING),
+        ("", "# wait for the arm to come up", Severity.INFO),
+        ("", "# 等待服务启动", Severity.INFO),
+        ("'Make a mover, which waits for the arm.'", "", Severity.INFO),
+        ("'Make a mover.'", "# the arm", Severity.WARNING),
+        ("", "# rospy.wait_for_service('arm')", Severity.WARNING),
+        ("", "# self.wait('arm')", Severity.WARNING),
+    ],
+    ids=["nothing", "a comment", "in Chinese", "the docstring", "other words", "code of old", "a call of old"],
+)
+def test_a_start_of_which_a_comment_says_that_it_waits(judge: Judge, doc: str, above: str, severity: Severity):
+    [found] = judge("TMO001", SAYS_SO.format(doc=doc, above=above))
+    assert found.severity is severity
+
+
 def test_a_script_may_wait_for_what_it_needs(judge: Judge):
     [script_waits] = judge("TMO001", script("client.wait_for_service()  # here"))
     assert script_waits.severity is Severity.INFO

@@ -63,6 +63,35 @@ def test_an_except_that_calls_what_always_raises(judge: Judge, ends: str, mark: 
     judge("API005", _node(*lines, f"print(value){mark}") + give_up)
 
 
+MEASURE = """
+
+
+def measure(text):
+    try:
+        return float(text), 1.0
+    except {caught}:
+        print('no number')
+        return {otherwise}
+"""
+
+
+@pytest.mark.parametrize(
+    ("caught", "otherwise", "mark"),
+    [
+        ("ValueError", "0.0, 0.0", ""),
+        ("Exception", "0.0, 0.0", ""),
+        ("KeyError", "0.0, 0.0", "  # here"),
+        ("ValueError", "None", "  # here"),
+        ("ValueError", "float('nan'), limit", "  # here"),
+    ],
+    ids=["the same", "whatever happens", "another", "what cannot be unpacked", "which may fail itself"],
+)
+def test_an_except_for_what_the_call_that_is_tried_catches_itself(judge: Judge, caught: str, otherwise: str, mark: str):
+    lines = ("try:", "    mean, spread = measure(message.data)", "except ValueError:", "    print('no number')")
+    helper = MEASURE.format(caught=caught, otherwise=otherwise)
+    judge("API005", _node(*lines, f"print(mean + spread){mark}") + helper)
+
+
 def test_two_variables_of_one_line_are_one_finding(judge: Judge):
     lines = ("if message.data:", "    low, high = 1, 2", "else:", "    print(low, high)  # here")
     (finding,) = judge("API005", _node(*lines))

@@ -154,6 +154,25 @@ def test_a_parameter_and_a_future_in_a_method_that_nothing_calls(
 
 
 @pytest.mark.parametrize(
+    ("entry", "told"), [("", 0), (", 'brake = car.brake:main'", 1)], ids=["a module of others", "a program"]
+)
+def test_what_the_author_of_a_module_has_tried_out(tmp_path: Path, monkeypatch, entry: str, told: int):
+    files = {
+        "package.xml": manifest("car"),
+        "setup.py": SETUP.replace(":main']", f":main'{entry}]"),
+        "car/__init__.py": "",
+        "car/drive.py": CAR,
+        "car/brake.py": f"{BRAKE}\n\ndef main():\n    pass\n\n\nif __name__ == '__main__':\n    print(lost)\n",
+        "archlint.toml": 'select = ["API005"]\n',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
+
+
+@pytest.mark.parametrize(
     ("rest", "entry", "told"),
     [
         ("", "", 0),

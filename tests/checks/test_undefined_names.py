@@ -243,10 +243,25 @@ def test_a_function_that_would_call_itself_for_ever_is_not_meant(judge: Judge) -
 
 
 def test_an_interface_of_the_workspace_that_is_not_imported(findings: Callable[..., list[Finding]]) -> None:
-    files = {"msg/ServoState.msg": "uint8 id\n", "robot/talker.py": _node("print(ServoState())")}
-    cmake = 'rosidl_generate_interfaces(robot "msg/ServoState.msg")\n'
-    (finding,) = findings("API005", **{"CMakeLists.txt": cmake, **files})
+    files = {
+        "msg/ServoState.msg": "uint8 id\n",
+        "robot/talker.py": _node("print(ServoState())"),
+        "package.xml": CMAKE,
+        "CMakeLists.txt": 'rosidl_generate_interfaces(robot "msg/ServoState.msg")\n',
+    }
+    (finding,) = findings("API005", **files)
     assert finding.help == "write `from robot.msg import ServoState`"
+
+
+def test_no_interface_of_a_package_that_generates_none(findings: Callable[..., list[Finding]]) -> None:
+    files = {"msg/ServoState.msg": "uint8 id\n", "robot/talker.py": _node("print(ServoState())")}
+    (finding,) = findings("API005", **files)
+    assert finding.help == "define it, or remove the line"
+
+
+def test_what_annotations_take_from_typing(judge: Judge) -> None:
+    (finding,) = judge("API005", "import rclpy\n\n\ndef angles() -> List[float]:  # here\n    return []\n")
+    assert finding.help == "write `from typing import List`"
 
 
 def test_the_names_of_one_statement_are_one_finding(judge: Judge) -> None:

@@ -52,6 +52,20 @@ def uncalled_main(workspace: WorkspaceIndex | None, place: Place) -> str | None:
     return None if named or is_called_elsewhere(workspace, place.file, _MAIN) else _MAIN
 
 
+def is_in_trial(workspace: WorkspaceIndex | None, place: Place) -> bool:
+    """Whether a place is in the block below ``if __name__ == '__main__':`` of a module that installed programs import,
+    and is none itself: its author tried it out there once."""
+    file_facts = None if workspace is None else workspace.facts_at(place.file)
+    guard = None if file_facts is None else main_guard(file_facts)
+    if workspace is None or guard is None or not guard.span[0] <= place.line <= guard.span[2]:
+        return False
+    installs = workspace.installs.get(workspace.package_of(place.file) or "")
+    if installs is None or installs.open_executables or place.file in workspace.code.installed_programs:
+        return False
+    stem = posixpath.basename(place.file).removesuffix(".py")
+    return place.file in workspace.code.in_use and not is_named_by_launch(workspace, stem)
+
+
 _MAIN = "main"
 
 
@@ -84,4 +98,4 @@ def _may_call(workspace: WorkspaceIndex, file: str, module: str, method: str) ->
     return not of_itself and module in workspace.code.reached_from([file])
 
 
-__all__ = ["is_asked_of_others", "is_called_elsewhere", "uncalled_main", "uncalled_method"]
+__all__ = ["is_asked_of_others", "is_called_elsewhere", "is_in_trial", "uncalled_main", "uncalled_method"]

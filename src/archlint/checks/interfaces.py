@@ -53,6 +53,12 @@ def _of_own_package(
 ) -> Finding:
     """The finding with what it has in common with those of other files that lack the same of a package of the
     workspace: what mends one mends all.  ``beside`` are the names that its file lacks of the package."""
+    if _generates_nothing(workspace, interface.package) and not interface.elsewhere:
+        help = (
+            "define it in a package whose build calls rosidl_generate_interfaces(), as that of "
+            f"{interface.package} does not, and import it from there"
+        )
+        return replace(told, help=help, group=(_OWN, interface.package, interface.kind, *sorted(beside)))
     if interface.left_out:
         return replace(told, group=(_LEFT_OUT, interface.package, interface.kind, interface.name))
     if interface.elsewhere or _part(interface) is not None:
@@ -66,6 +72,12 @@ def _of_own_package(
     elif not told.meant and not is_cpp(interface.place.file) and is_interface_name(interface.name):
         help = f"{help}; if it is meant to be one of its own, add {_file(interface)} to {interface.package}"
     return replace(told, help=help, group=(_OWN, interface.package, interface.kind, *sorted(beside)))
+
+
+def _generates_nothing(workspace: WorkspaceIndex | None, package: str) -> bool:
+    """Whether no command of the build of a package can make interfaces, so that no file that is added makes one."""
+    installs = None if workspace is None else workspace.installs.get(package)
+    return installs is not None and installs.generates_nothing
 
 
 _OWN, _LEFT_OUT = "of the workspace", "left out"

@@ -10,7 +10,7 @@ from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.idle_helpers import is_idle_helper
 from archlint.analysis.kept_defaults import needs_another_default
 from archlint.analysis.replaced_methods import is_replaced
-from archlint.analysis.uncalled_methods import uncalled_main, uncalled_method
+from archlint.analysis.uncalled_methods import is_in_trial, uncalled_main, uncalled_method
 from archlint.analysis.unmet_choices import is_never_chosen
 
 if TYPE_CHECKING:
@@ -35,6 +35,7 @@ _NEVER_REACHED = (
     is_idle_helper,
     is_replaced,
     is_behind_an_end,
+    is_in_trial,
     is_switched_off,
     is_never_chosen,
     needs_another_default,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import SourceCode, source_code
@@ -26,6 +27,26 @@ def is_announced_start(system: System, call: ApiCall) -> bool:
     """Whether a program starts with a wait of which the line before tells: whoever reads its log knows what is
     missing."""
     return call.context.role in (Role.INIT, Role.MAIN, Role.MODULE) and _is_announced(source_code(system), call)
+
+
+def is_documented_start(system: System, call: ApiCall) -> bool:
+    """Whether a comment above a wait, or the docstring of the function around it, says that a program waits as it
+    starts: that is the order in which the author wants things to come up."""
+    function = source_code(system).function_at(call.place)
+    text = None if system.workspace is None else system.workspace.tree.text(call.file)
+    if call.context.role not in (Role.INIT, Role.MAIN, Role.MODULE) or function is None or text is None:
+        return False
+    above = text.splitlines()[function.span[0] : call.place.line - 1]
+    comments = (line.partition("#")[2] for line in above if "#" in line)
+    return any(map(_TELLS.search, (function.docstring, *comments)))
+
+
+_TELLS = re.compile(
+    r"\b(?:waits?|waiting|wartet?|warten|attend(?:re)?|espera[rn]?|aspetta(?:re)?|blocks until)\b(?![(.])"
+    r"|等待|待つ|待機|대기|기다",
+    re.IGNORECASE,
+)
+"""Words for waiting, and no call of a function whose name has one."""
 
 
 def is_ended_by_hand(system: System, call: ApiCall) -> bool:
@@ -82,4 +103,4 @@ def _says_so(e: facts.Expr) -> bool:
     return any("waiting" in text.lower() for text in texts)
 
 
-__all__ = ["is_announced_start", "is_ended_by_hand", "says_something"]
+__all__ = ["is_announced_start", "is_documented_start", "is_ended_by_hand", "says_something"]

@@ -29,6 +29,7 @@ _USUAL = {
     name: f"from {module} import {name}"
     for module, names in {
         "cv_bridge": ("CvBridge", "CvBridgeError"),
+        "typing": ("Any", "Callable", "Dict", "Iterable", "List", "Optional", "Sequence", "Set", "Tuple", "Union"),
         "message_filters": ("ApproximateTimeSynchronizer", "TimeSynchronizer"),
         "tf2_ros": (
             "Buffer",
@@ -77,7 +78,12 @@ def _import_of_interface(workspace: WorkspaceIndex, name: str, file: str) -> str
     table, code = workspace.interfaces, workspace.facts_at(file)
     if table is None or code is None or not is_interface_name(name):
         return ""
-    own = [f"{package}.{kind}" for kind in INTERFACE_KINDS for package in table.packages_with(kind, name)]
+    own = [
+        f"{package}.{kind}"
+        for kind in INTERFACE_KINDS
+        for package in table.packages_with(kind, name)
+        if package not in workspace.installs or not workspace.installs[package].generates_nothing
+    ]
     full = (full.split("/") for full in standard_interfaces.table().interfaces if full.endswith(f"/{name}"))
     common = [f"{package}.{kind}" for package, kind, _ in full]
     asked = {imported.module for imported in everything_in(code.body, facts.ImportFrom) if not imported.level}

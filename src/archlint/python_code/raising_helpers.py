@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.python_code.class_chains import Chain, ClassInFile, chain_of, classes_of, files_with, methods_of
@@ -51,6 +51,61 @@ def _always_raises(workspace: WorkspaceIndex, file: str, helper: facts.Function,
     ends_path = never_returns(workspace, file, helper, depth)
     ends = graph_of(helper.body).ends(True, lambda alive, fact: alive and not ends_path(fact))
     return True not in ends.falls and not any(True in states for _, states in ends.returns)
+
+
+def is_caught_inside(
+    workspace: WorkspaceIndex, file: str, function: facts.Function, attempt: facts.Try, handler: facts.Handler
+) -> bool:
+    """Whether all that an attempt does is to call one function of the workspace, or more, that catch themselves what a
+    handler is for, and go on: nothing of it is left for the handler."""
+    calls = [call for statement in attempt.body for call in everything_in([statement], facts.Call)]
+    plain = not any(everything_in(attempt.body, facts.Subscript)) and not any(everything_in(attempt.body, facts.Await))
+    return plain and bool(calls) and all(_catches(workspace, file, function, call, handler.caught) for call in calls)
+
+
+def _catches(
+    workspace: WorkspaceIndex, file: str, function: facts.Function, call: facts.Call, errors: frozenset[str]
+) -> bool:
+    """Whether a call runs only functions of which all but the docstring is tried, and whose handlers for some errors
+    return something."""
+    helpers = [helper for _, helper in _meant(workspace, file, function, call.func.dotted)]
+    return bool(helpers) and all(_is_tried(helper, errors) for helper in helpers)
+
+
+def _is_tried(helper: facts.Function, errors: frozenset[str]) -> bool:
+    match [each for each in helper.body if not _is_text(each)]:
+        case [facts.Try(handlers=handlers), *rest] if not (helper.decorators or helper.is_async or helper.is_generator):
+            own = [each for each in handlers if each.type is None or each.caught & _ANYTHING or errors <= each.caught]
+            return bool(own) and all(map(_returns_something, own)) and all(map(_is_return, rest))
+    return False
+
+
+def _returns_something(handler: facts.Handler) -> bool:
+    """Whether a handler ends in ``return``, and does nothing before but to say so: a value that is None may be the next
+    thing to fail."""
+    *before, last = handler.body
+    says = all(isinstance(each, facts.Expression) and not _raises_again([each]) for each in before)
+    return says and _is_return(last) and not _raises_again(handler.body)
+
+
+def _is_return(statement: facts.Base) -> bool:
+    value = statement.value if isinstance(statement, facts.Return) else None
+    return value is not None and not any(everything_in([value], facts.Call)) and not _is_none(value)
+
+
+def _is_none(value: facts.Expr) -> bool:
+    return isinstance(value, facts.Literal) and value.value is None
+
+
+def _raises_again(body: Sequence[facts.Base]) -> bool:
+    return any(everything_in(body, facts.Raise))
+
+
+def _is_text(statement: facts.Base) -> bool:
+    return isinstance(statement, facts.Expression) and isinstance(statement.value, facts.Literal)
+
+
+_ANYTHING = frozenset({"BaseException", "Exception"})
 
 
 def _is_abstract(helper: facts.Function) -> bool:
@@ -108,4 +163,4 @@ def _in_chain(chain: Chain, name: str) -> tuple[str, facts.Function] | None:
     return None
 
 
-__all__ = ["NeverReturns", "never_returns"]
+__all__ = ["NeverReturns", "is_caught_inside", "never_returns"]

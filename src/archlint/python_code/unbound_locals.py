@@ -15,7 +15,7 @@ from archlint.analysis.source_code import code_of
 from archlint.place import Place
 from archlint.python_code.block_bindings import after, bound_at, is_plain, read_at
 from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, stars
-from archlint.python_code.raising_helpers import never_returns
+from archlint.python_code.raising_helpers import is_caught_inside, never_returns
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, Edge, Kind, reach, without_exceptions
@@ -75,20 +75,25 @@ def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
             continue
         for row in _rows(workspace, path) or ():
             caught = None if row.caught is None else Place(path, *row.caught)
-            if caught is not None and _raises(workspace, Place(path, *row.span), caught):
+            if caught is not None and _never_goes_on(workspace, Place(path, *row.span), caught):
                 continue
             assigned = Place(path, *row.assigned)
             yield UnboundLocal(Place(path, *row.span), row.name, assigned, caught, row.hidden, row.own_assignment)
 
 
-def _raises(workspace: WorkspaceIndex, read: Place, caught: Place) -> bool:
+def _never_goes_on(workspace: WorkspaceIndex, read: Place, caught: Place) -> bool:
     """Whether a handler calls what always raises, ``except OSError as error: give_up(error)``, so that it goes on to no
-    read behind it."""
+    read behind it, or has nothing to handle, since what is tried calls what handles the same itself."""
     function = code_of(workspace).function_at(read)
-    attempts = () if function is None else parts_of(function.body, facts.Try)
-    handlers = (each for attempt in attempts for each in attempt.handlers if each.span == caught.span)
-    ends = None if function is None else never_returns(workspace, read.file, function)
-    return ends is not None and any(ends(statement) for handler in handlers for statement in handler.body)
+    if function is None:
+        return False
+    ends = never_returns(workspace, read.file, function)
+    return any(
+        any(map(ends, handler.body)) or is_caught_inside(workspace, read.file, function, attempt, handler)
+        for attempt in parts_of(function.body, facts.Try)
+        for handler in attempt.handlers
+        if handler.span == caught.span
+    )
 
 
 @kept_for_each_file
