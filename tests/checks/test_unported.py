@@ -137,6 +137,6 @@ def test_a_module_that_a_program_imports_is_not_left_alone(said: Said) -> None:
     assert finding.place.file.endswith("robot/valve.py")
 
 
-def test_one_slip_in_a_script_that_is_not_installed_is_told(said: Said) -> None:
-    [finding] = said("API002", {"tools/waiter.py": ONE_SLIP})
+def test_one_slip_in_a_script_that_a_document_says_to_run_is_told(said: Said) -> None:
+    [finding] = said("API002", {"tools/waiter.py": ONE_SLIP, "README.md": "    python3 tools/waiter.py\n"})
     assert finding.message == "rclpy has no sleep(); no installed program uses this file"

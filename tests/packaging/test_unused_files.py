@@ -132,6 +132,28 @@ def test_a_script_that_something_runs(told: Told, files: dict[str, str]):
     assert len(told(files, "API005")) == 1
 
 
+HELPER = "import json\n{more}\n\ndef node(topic):\n    return json.dumps(missing)\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "count"),
+    [
+        ({}, 0),
+        ({"robot/robot/driver.py": "from robot.helper import node\n\n\ndef main():\n    node('a')\n"}, 1),
+        ({"robot/robot/helper.py": HELPER.replace("{more}", "import rclpy")}, 1),
+        ({"robot/robot/helper.py": HELPER.replace("{more}", "from std_msgs.msg import String\nrclpy = None")}, 1),
+        ({"robot/robot/helper.py": HELPER + "\n\nnode('a')\n"}, 1),
+        ({"robot/test/test_it.py": "import rclpy\nfrom robot import helper\n"}, 1),
+        ({"robot/setup.py": SETUP.split("    entry_points")[0] + ")\n"}, 1),
+    ],
+    ids=["nobody", "a program", "of ROS", "of interfaces", "a program itself", "a test", "a library"],
+)
+def test_a_module_of_a_package_of_programs_that_none_of_them_imports(told: Told, files: dict[str, str], count: int):
+    texts = {"robot/robot/helper.py": HELPER, **files}
+    words = {path: text.replace("{more}", "rclpy = None") for path, text in texts.items()}
+    assert told(words, "API005") == ["robot/robot/helper.py"] * count
+
+
 SEARCHES = SETUP.replace("import setup\n", "import find_packages, setup\n").replace("['robot'],", "find_packages(),")
 MODULE = """import rclpy
 from rclpy.node import Node

@@ -15,11 +15,16 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import (
     is_disused,
     is_left_alone,
+    is_named_by_launch,
     is_not_installed,
 )
 from archlint.analysis.kept import once
 from archlint.packaging.unbuilt_files import runs_nowhere
 from archlint.packaging.uninstalled_files import is_left_out_launch_file, is_meant_to_start, is_told_to_run
+from archlint.ros.packages import package_of_module
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import main_guard
 from archlint.workspace.model import LAUNCH_TEXT_KINDS
 
 if TYPE_CHECKING:
@@ -42,6 +47,7 @@ def nothing_runs(workspace: WorkspaceIndex, file: str) -> bool:
         _is_put_aside(workspace, file)
         or _is_spare_program(workspace, file)
         or _is_left_out(workspace, file)
+        or _is_idle_module(workspace, file)
         or is_earlier_version(workspace, file)
     )
 
@@ -130,6 +136,35 @@ def _is_left_out(workspace: WorkspaceIndex, file: str) -> bool:
     if file in workspace.code.in_use or file in _tested(workspace) or is_told_to_run(workspace, file):
         return False
     return not any(_may_take(row, file) for row in installs.files)
+
+
+def _is_idle_module(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether no program here comes to a module of a package that installs programs, and the module imports nothing of
+    ROS: what is left of a library that was copied for another part of it."""
+    installs = workspace.installs.get(workspace.package_of(file) or "")
+    code = None if installs is None else workspace.facts_at(file)
+    if installs is None or code is None or not installs.executables or installs.open_executables:
+        return False
+    if not _is_below(installs, file) or main_guard(code) is not None or _imports_ros(code):
+        return False
+    used = file in workspace.code.in_use or file in _tested(workspace) or is_named_by_launch(workspace, _stem(file))
+    return not used and not is_told_to_run(workspace, file) and not _calls_as_it_loads(code)
+
+
+def _imports_ros(code: facts.Facts) -> bool:
+    rows: list[tuple[str, list[str]]] = [(part.module, []) for part in everything_in(code.body, facts.Import)]
+    froms = everything_in(code.body, facts.ImportFrom)
+    rows += [(part.module, [name for name, _ in part.names]) for part in froms]
+    return any(package_of_module(module, names, lambda top: False) is not None for module, names in rows)
+
+
+def _calls_as_it_loads(code: facts.Facts) -> bool:
+    """Whether a file may be a program: it calls something as it is loaded."""
+    return any(isinstance(part, facts.Expression) and isinstance(part.value, facts.Call) for part in code.body)
+
+
+def _stem(file: str) -> str:
+    return posixpath.basename(file).removesuffix(".py")
 
 
 def _is_below(installs: Installs, file: str) -> bool:
