@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def once_for_copies(
-    findings: Iterable[Finding], packages: Sequence[Package], text_of: Callable[[str], str | None]
+    findings: Iterable[Finding], packages: Sequence[Package], lines_of: Callable[[str, int, int], Sequence[str]]
 ) -> list[Finding]:
     """The findings with one for what a file of a package and its twin in a copy of that package both show.
 
@@ -32,7 +32,7 @@ def once_for_copies(
         folder = _innermost(folders, finding.place.file)
         twin: tuple[object, ...] = (number,)
         if folder is not None:
-            twin = (folders[folder], finding.place.file[len(folder) :], lines_at(finding.place, text_of))
+            twin = (folders[folder], finding.place.file[len(folder) :], lines_at(finding.place, lines_of))
         rows.setdefault((finding.code, finding.severity, finding.message, *twin), []).append(finding)
     shown = [finding for row in rows.values() for finding in _of_copies(row, folders)]
     return sorted(shown, key=lambda finding: finding.sort_key)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cache, partial
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import code_of
@@ -115,7 +115,7 @@ def _with_stale(judged: Judged, inputs: Inputs, sieve: Sieve, ran: frozenset[str
 def _joined(judged: Sequence[Judged], inputs: Inputs) -> Judged:
     every = folded(dict.fromkeys(finding for part in judged for finding in part.findings))
     every.sort(key=lambda finding: finding.sort_key)
-    findings = once_for_copies(every, inputs.workspace.packages, cache(inputs.tree.text))
+    findings = once_for_copies(every, inputs.workspace.packages, inputs.tree.lines)
     summary = summarise(
         findings,
         files=sum(part.summary.files for part in judged),
@@ -195,7 +195,7 @@ def _without_repeats(judged: Judged, inputs: Inputs) -> Judged:
     if inputs.request.settings.unused_files:
         return judged
     packaged = {file.relative for file in inputs.workspace.files if file.package is not None}
-    findings = once_for_copied_lines(judged.findings, packaged, cache(inputs.tree.text))
+    findings = once_for_copied_lines(judged.findings, packaged, inputs.tree.lines)
     return replace(judged, findings=findings, summary=recounted(judged.summary, findings))
 
 
@@ -233,11 +233,11 @@ def _code_around(index: WorkspaceIndex, tree: SourceTree, place: Place) -> tuple
     code = code_of(index)
     statement = code.statement_at(place)
     function = statement if isinstance(statement, Function) else code.function_at(place)
-    text = tree.text(place.file)
-    if text is None or function is None:
+    if function is None:
+        text = tree.text(place.file)
         return None if text is None else (text, 1)
     first, last = function.span[0], function.span[2]
-    return "\n".join(text.splitlines()[first - 1 : last]), first
+    return "\n".join(tree.lines(place.file, first, last)), first
 
 
 def _contents(workspace: Workspace, facts: FactsOfFiles) -> dict[str, tuple[str, str]]:

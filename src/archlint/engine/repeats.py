@@ -10,7 +10,7 @@ from archlint.finding import Finding, Place
 
 
 def once_for_copied_lines(
-    findings: Iterable[Finding], packaged: Collection[str], text_of: Callable[[str], str | None]
+    findings: Iterable[Finding], packaged: Collection[str], lines_of: Callable[[str, int, int], Sequence[str]]
 ) -> list[Finding]:
     """The findings with one for what a rule about launch files says of the very same lines of several, in the same
     words and with the same advice: who mends the first of them knows what to do with the others.  In the code of nodes
@@ -22,17 +22,16 @@ def once_for_copied_lines(
     times: Counter[tuple[object, str]] = Counter()
     for number, finding in enumerate(sorted(findings, key=lambda finding: finding.sort_key)):
         place, is_judged = finding.place, finding.code.startswith("LCH") and finding.place.file in packaged
-        lines = lines_at(place, text_of) if is_judged else ()
+        lines = lines_at(place, lines_of) if is_judged else ()
         said = (finding.code, finding.severity, finding.message, finding.help, lines or number)
         times[said, place.file] += 1
         rows.setdefault((said, times[said, place.file]), []).append(finding)
     return [_of_copied_line(row) for row in rows.values()]
 
 
-def lines_at(place: Place, text_of: Callable[[str], str | None]) -> tuple[str, ...]:
+def lines_at(place: Place, lines_of: Callable[[str, int, int], Sequence[str]]) -> tuple[str, ...]:
     """The lines that a place is in, wherever they stand in their file."""
-    lines = (text_of(place.file) or "").splitlines()
-    return tuple(line.strip() for line in lines[place.line - 1 : place.end_line])
+    return tuple(line.strip() for line in lines_of(place.file, place.line, place.end_line))
 
 
 def _of_copied_line(row: Sequence[Finding]) -> Finding:

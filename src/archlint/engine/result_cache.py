@@ -19,6 +19,7 @@ import msgspec
 from archlint.engine.alike import Alike, Answers
 from archlint.engine.own_code import own_code
 from archlint.workspace.model import PYTHON_KINDS
+from archlint.workspace.text_questions import is_about_text
 from archlint.workspace.tree import TEXT_LIMIT
 
 if TYPE_CHECKING:
@@ -115,7 +116,7 @@ class RunCache(Generic[Result]):
         python = {file.relative for file in files}
         # That a text was read for its words is not noted: they are.
         others = {file.relative for file in self._workspace.files if file.relative not in python}
-        answers = [row for row in self._asked(others) if row[0] == "content" or row[1] not in python]
+        answers = [row for row in self._asked(others) if is_about_text(row[0]) or row[1] not in python]
         self._put_alike(facts, Alike.of(self._key, answers, self._tree.words, files, facts))
 
     def save_again(self, result: Result) -> None:

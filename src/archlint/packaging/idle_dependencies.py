@@ -49,20 +49,26 @@ def _is_a_word_of(workspace: WorkspaceIndex, name: str) -> bool:
     def has(text: str) -> bool:
         return any(each in text for each in spelt) and word.search(text) is not None
 
+    def is_in_code(path: str) -> bool:
+        named = any(workspace.code.mentions(path, each) for each in sorted(spelt))
+        return named and bool(workspace.tree.lines_with(path, word.pattern))
+
     for path in workspace.tree.files_below(workspace.tree.top):
-        file = posixpath.basename(path)
-        is_read = file != _MANIFEST and posixpath.splitext(file)[1] in _TEXT
-        if has(posixpath.dirname(path)) or (is_read and has(workspace.tree.text(path) or "")):
+        file, kind = posixpath.basename(path), posixpath.splitext(path)[1]
+        is_read = file != _MANIFEST and kind in _TEXT
+        if has(posixpath.dirname(path)):
+            return True
+        if is_read and (is_in_code(path) if kind == ".py" else has(workspace.tree.text(path) or "")):
             return True
     return False
 
 
 def is_named_by_no_file(workspace: WorkspaceIndex, package: str, name: str) -> bool:
     """Whether no text of a package has a name besides its manifest."""
-    word, manifest = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)"), workspace.packages[package].manifest.relative
+    manifest = workspace.packages[package].manifest.relative
     paths = workspace.tree.files_below(posixpath.dirname(manifest) or workspace.tree.top)
     texts = (path for path in paths if path != manifest and posixpath.splitext(path)[1] in _TEXT)
-    return not any(word.search(workspace.tree.text(path) or "") for path in texts)
+    return not any(workspace.code.mentions(path, name) for path in texts)
 
 
 __all__ = ["is_idle", "is_named_by_no_file"]

@@ -91,8 +91,7 @@ def modules_to_declare(
 def _has_comment(workspace: WorkspaceIndex, place: Place) -> bool:
     """Whether the line of an import says what it is for, or to a linter that it is meant: it may be there for what
     importing the module does."""
-    lines = (workspace.tree.text(place.file) or "").splitlines()
-    return place.end_line <= len(lines) and "#" in lines[place.end_line - 1]
+    return any("#" in line for line in workspace.tree.lines(place.file, place.end_line, place.end_line))
 
 
 def _without_brought(uses: Sequence[ModuleUse]) -> list[ModuleUse]:

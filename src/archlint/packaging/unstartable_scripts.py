@@ -50,26 +50,26 @@ def unstartable_scripts(workspace: WorkspaceIndex) -> Iterator[Unstartable]:
             continue
         for executable in workspace.installs[package].executables.values():
             script = executable.script
-            text = workspace.tree.text(script) if script is not None and script.endswith(".py") else None
-            if script is None or not text or not executable.place.file.endswith((".txt", ".cmake")):
+            if script is None or not script.endswith(".py") or not executable.place.file.endswith((".txt", ".cmake")):
                 continue
-            first = text.partition("\n")[0]
-            if first.startswith("#!") and not first.endswith("\r"):
+            beginning = workspace.tree.lines(script, 1, 2)
+            first = "".join(beginning[:1])
+            if not any(beginning) or (first.startswith("#!") and not first.endswith("\r")):
                 continue
             at = started.get((package, executable.name))
-            by_hand = not _is_to_be_copied(script, text) and _is_program(workspace, executable, script)
+            by_hand = not _is_to_be_copied(workspace, script) and _is_program(workspace, executable, script)
             if (at is not None or by_hand) and not _has_python(workspace, script):
-                yield Unstartable(executable, script, first.startswith("#!"), at, _line_below(text))
+                yield Unstartable(executable, script, first.startswith("#!"), at, _line_below(workspace, script))
 
 
-def _is_to_be_copied(script: str, text: str) -> bool:
+def _is_to_be_copied(workspace: WorkspaceIndex, script: str) -> bool:
     """Whether a script is there for others to go on from: an exercise, or ``node_template.py``."""
-    return is_an_exercise(text) or "template" in posixpath.basename(script).removesuffix(".py").lower().split("_")
+    words = posixpath.basename(script).removesuffix(".py").lower().split("_")
+    return "template" in words or is_an_exercise(workspace, script)
 
 
-def _line_below(text: str) -> int:
-    lines = text.splitlines()
-    return next((number for number, line in enumerate(lines, 1) if number > 1 and line.startswith("#!/")), 0)
+def _line_below(workspace: WorkspaceIndex, script: str) -> int:
+    return next((number for number, _ in workspace.tree.lines_with(script, "^#!/") if number > 1), 0)
 
 
 def _started(workspace: WorkspaceIndex) -> dict[tuple[str | None, str | None], Place]:
@@ -88,9 +88,10 @@ def _is_program(workspace: WorkspaceIndex, executable: Executable, script: str) 
     if file_facts is None or main_guard(file_facts) is None:
         return False
     stem = posixpath.basename(script).removesuffix(".py")
-    imported = re.compile(rf"^[ \t]*(?:from|import)\b.*\b{re.escape(stem)}\b", re.MULTILINE)
+    imported = rf"^[ \t]*(?:from|import)\b.*\b{re.escape(stem)}\b"
     files = (file for file in workspace.code.files_of(executable.package) if file != script)
-    return not any(imported.search(workspace.tree.text(file) or "") for file in files)
+    named = (file for file in files if workspace.code.mentions(file, stem))
+    return not any(workspace.tree.lines_with(file, imported) for file in named)
 
 
 def _has_python(workspace: WorkspaceIndex, script: str) -> bool:

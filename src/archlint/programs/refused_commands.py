@@ -49,7 +49,7 @@ PACKAGES_OF_COMMANDS: Mapping[str, str] = {
 class Files(Protocol):
     """The files of the workspace by shown paths."""
 
-    def text(self, path: str) -> str | None: ...
+    def is_file(self, path: str) -> bool: ...
 
 
 def refused_commands(steps: Sequence[Step], files: Files | None) -> Iterator[RefusedCommand]:
@@ -180,7 +180,7 @@ def _no_package_of_python(step: Step, files: Files) -> Iterator[RefusedCommand]:
         return
     folder = texts[texts.index("PACKAGE_DIR") + 1] if "PACKAGE_DIR" in texts[:-1] else texts[0]
     path = step.path(folder)
-    if not posixpath.isabs(path) and files.text(posixpath.join(path, "__init__.py")) is None:
+    if not posixpath.isabs(path) and not files.is_file(posixpath.join(path, "__init__.py")):
         yield RefusedCommand("no package of Python", path, _INSTALLS_PYTHON, _place(arguments[0], step))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 from archlint.analysis.pinned import ubuntu_releases
@@ -14,7 +13,7 @@ if TYPE_CHECKING:
 
 _BEFORE_PYTHON_3_14 = frozenset({"focal", "jammy", "noble"})
 """The releases of Ubuntu whose Python does not put off what an annotation says."""
-_WITH_TYPE_PARAMETERS = re.compile(r"^\s*(?:(?:async\s+)?def|class)\s+\w+\s*\[", re.MULTILINE)
+_WITH_TYPE_PARAMETERS = r"^\s*(?:(?:async\s+)?def|class)\s+\w+\s*\["
 """``def first[Item](items: list[Item])``: names that the facts of a file do not tell of."""
 
 
@@ -22,7 +21,7 @@ def evaluates_hints(workspace: WorkspaceIndex, path: str, code: facts.Facts) -> 
     """Whether a name in an annotation of a file's functions has to be there when the function is defined."""
     if hints_are_postponed(code) or not ubuntu_releases(workspace) <= _BEFORE_PYTHON_3_14:
         return False
-    return _WITH_TYPE_PARAMETERS.search(workspace.tree.text(path) or "") is None
+    return not workspace.tree.lines_with(path, _WITH_TYPE_PARAMETERS)
 
 
 def hints_of(part: facts.Function | facts.Lambda | facts.Class) -> list[facts.Expr]:

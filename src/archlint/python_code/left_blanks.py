@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
+from itertools import count, takewhile
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
 _WORDS = ("TODO", "todo", "YOUR", "Your", "your")
 _ASKS = re.compile(r"\bTODO\b|\btodo:|\b(?i:your (?:code|answer|solution))\b")
 """Upper case or a colon, for in Spanish the word means everything."""
+_ASKING = rf"^\s*#.*(?:{_ASKS.pattern})"
 _GAP = 2
 """How many empty lines below such a comment are room for what is to be written."""
 
@@ -21,29 +23,46 @@ def is_left_blank(workspace: WorkspaceIndex, file: str, name: str, line: int) ->
     room for what a comment asks for."""
     if not any(workspace.code.mentions(file, word) for word in _WORDS):
         return False
-    text = workspace.tree.text(file) or ""
-    return _is_asked_for(text, name) or _is_below_gap(text, line)
+    return _is_asked_for(workspace, file, name) or _is_below_gap(workspace, file, line)
 
 
 _SEVERAL = 3
 """How many comments that ask for code no longer are an author's notes to himself."""
 
 
-def is_an_exercise(text: str) -> bool:
+def is_an_exercise(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether several comments of a file ask for what is to be written there: nobody has done so yet."""
-    return (
-        sum(line.strip().startswith("#") and _ASKS.search(line) is not None for line in text.splitlines()) >= _SEVERAL
-    )
+    return len(workspace.tree.lines_with(file, _ASKING)) >= _SEVERAL
 
 
-def _is_asked_for(text: str, name: str) -> bool:
+def _is_asked_for(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     word = re.compile(rf"(?<![\w.]){re.escape(name)}(?!\w)")
-    return any(_ASKS.search(block) and word.search(block) for block in _comments(text.splitlines()))
+    asking = (number for number, _ in workspace.tree.lines_with(file, _ASKING))
+    return any(word.search(line) for number in asking for line in _comment_around(workspace, file, number))
 
 
-def _is_below_gap(text: str, line: int) -> bool:
+def _comment_around(workspace: WorkspaceIndex, file: str, number: int) -> list[str]:
+    """The lines of comments that follow each other, this one among them.  Each line is asked for by itself, so that
+    those behind the comment are not."""
+    numbers = (range(number, 0, -1), count(number + 1))
+    return [line for way in numbers for line in takewhile(_is_comment, _lines(workspace, file, way))]
+
+
+def _lines(workspace: WorkspaceIndex, file: str, numbers: Iterable[int]) -> Iterator[str]:
+    for number in numbers:
+        lines = workspace.tree.lines(file, number, number)
+        if not lines:
+            return
+        yield lines[0]
+
+
+def _is_comment(line: str) -> bool:
+    return line.strip().startswith("#")
+
+
+def _is_below_gap(workspace: WorkspaceIndex, file: str, line: int) -> bool:
     empty = 0
-    for above in reversed(text.splitlines()[: line - 1]):
+    for above in _lines(workspace, file, range(line - 1, 0, -1)):
         words = above.strip()
         if words and not words.startswith("#"):
             return False
@@ -51,17 +70,6 @@ def _is_below_gap(text: str, line: int) -> bool:
             return empty >= _GAP
         empty += not words
     return False
-
-
-def _comments(lines: Sequence[str]) -> Iterator[str]:
-    """The comments of a file, those of lines that follow each other in one."""
-    block: list[str] = []
-    for line in (*lines, ""):
-        if line.strip().startswith("#"):
-            block.append(line)
-        elif block:
-            yield "\n".join(block)
-            block = []
 
 
 __all__ = ["is_an_exercise", "is_left_blank"]

@@ -106,10 +106,9 @@ class WorkspaceCode:
         """Whether a word stands anywhere in a file, be it of Python or not."""
         if WORD.fullmatch(word):
             return self._tree.words.stand_in(path, word)
-        text = self._tree.text(path)
-        if text is None or word not in text:
+        if not all(self._tree.words.stand_in(path, part) for part in WORD.findall(word)):
             return False
-        return re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) is not None
+        return bool(self._tree.lines_with(path, rf"(?<!\w){re.escape(word)}(?!\w)"))
 
     def files_that_mention(self, name: str) -> Sequence[str]:
         """The Python files, but for launch files, in which a name stands anywhere."""

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.disk import read_regular, walk
+from archlint.workspace.text_questions import about_lines, about_pattern, digest_of_part, is_about_part, part_of
 from archlint.workspace.tracked import Tracked, never_checked_out, repository_around
 from archlint.workspace.words import Words
 
@@ -42,6 +43,10 @@ class Tree(Protocol):
 
     def text(self, path: str) -> str | None: ...
 
+    def lines(self, path: str, first: int, last: int) -> list[str]: ...
+
+    def lines_with(self, path: str, pattern: str) -> list[tuple[int, str]]: ...
+
     def unreadable(self, path: str) -> str | None: ...
 
     def is_file(self, path: str) -> bool: ...
@@ -70,6 +75,12 @@ class _NoFiles:
 
     def text(self, path: str) -> str | None:
         return None
+
+    def lines(self, path: str, first: int, last: int) -> list[str]:
+        return []
+
+    def lines_with(self, path: str, pattern: str) -> list[tuple[int, str]]:
+        return []
 
     def unreadable(self, path: str) -> str | None:
         return None
@@ -231,7 +242,22 @@ class SourceTree:
         encoding that it names, all else as UTF-8."""
         return self._text(path, "content")
 
-    def _text(self, path: str, question: str) -> str | None:
+    def lines(self, path: str, first: int, last: int) -> list[str]:
+        """Some lines of a file's text, from 1, as far as there are any: who needs no others does not ask for all."""
+        return [line for _, line in self._part(about_lines(first, last), path)]
+
+    def lines_with(self, path: str, pattern: str) -> list[tuple[int, str]]:
+        """The lines of a file's text that have something which a regular expression matches, with their numbers."""
+        return self._part(about_pattern(pattern), path)
+
+    def _part(self, question: str, path: str) -> list[tuple[int, str]]:
+        text = self._text(path, None)
+        part = None if text is None else part_of(question, text)
+        self._note((question, path), digest_of_part(part))
+        return part or []
+
+    def _text(self, path: str, question: str | None) -> str | None:
+        """The text, which is noted as the answer to a question if there is one."""
         try:
             data = self._content(path, question)
             if data is None:
@@ -256,8 +282,10 @@ class SourceTree:
             return f"byte 0x{error.object[error.start]:02x} is not valid {error.encoding}: save the file as UTF-8"
         return None
 
-    def _content(self, path: str, question: str = "content") -> bytes | None:
+    def _content(self, path: str, question: str | None = "content") -> bytes | None:
         """The bytes of a regular file; None where there is none.  Raises ``OSError``."""
+        if question is None:
+            return self._content_now(path)
         try:
             data = self._content_now(path)
         except OSError as error:
@@ -292,6 +320,8 @@ class SourceTree:
             pass
         elif kind in ("content", "words"):
             self._text(path, kind)
+        elif is_about_part(kind):
+            self._part(kind, path)
         elif kind == "listing":
             self.files_below(path)
         elif kind == "index":
