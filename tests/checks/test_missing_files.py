@@ -154,6 +154,13 @@ def test_a_missing_file_is_named_with_the_near_one_beside_it(findings, written, 
     assert found.message == f"package 'robot' has no launch file '{written}'{hint}"
 
 
+@pytest.mark.parametrize(("there", "near"), [("arm.srdf", ""), ("arms.urdf", "; did you mean 'arms.urdf'?")])
+def test_what_moveit_is_given_is_no_description_of_a_robot(findings, there: str, near: str):
+    load = '<param name="robot_description" value="$(command \'xacro $(find-pkg-share robot)/urdf/arm.urdf\')"/>'
+    (found,) = findings("LCH004", node(load), **{f"urdf/{there}": "<robot/>"})
+    assert found.message == f"package 'robot' has no file 'urdf/arm.urdf'{near}"
+
+
 def test_what_names_the_missing_file_is_not_proposed(findings):
     include = '<launch><include file="$(find-pkg-share robot)/launch/{}"/></launch>'.format
     files = {"launch/robot_demos.launch.xml": include("robot_demo.launch.xml")}  # it would include itself

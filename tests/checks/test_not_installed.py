@@ -432,6 +432,18 @@ def test_a_package_that_is_listed_and_has_no_folder(findings, packages, message,
 
 
 @pytest.mark.parametrize(
+    ("more", "help"),
+    [
+        ({}, "write 'robot'"),
+        ({"test/__init__.py": ""}, "write 'robot'"),
+    ],
+)
+def test_the_only_folder_of_python_has_another_name(findings, more, help):
+    (finding,) = findings("PKG004", LAUNCH, **{"setup.py": setup("['my_python_package']")}, **more)
+    assert finding.help == help
+
+
+@pytest.mark.parametrize(
     ("packages", "files"),
     [
         ("['robot', 'robot.words']", {"robot/words/data.json": "{}"}),

@@ -166,7 +166,7 @@ def test_loose_scripts_of_a_package_that_installs_nothing(lint: Lint, install: s
         ("install(DIRECTORY include/ DESTINATION include)", []),
         ("install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})", []),
         ("install(PROGRAMS tools/node.py DESTINATION lib/${PROJECT_NAME})", ["geometry_msgs"]),
-        ("install(PROGRAMS tools/other.py DESTINATION lib/${PROJECT_NAME})", ["geometry_msgs"]),
+        ("install(PROGRAMS tools/other.py DESTINATION lib/${PROJECT_NAME})", []),
         ("install(PROGRAMS ${tools} DESTINATION lib/${PROJECT_NAME})", ["geometry_msgs"]),
     ],
 )
@@ -770,7 +770,7 @@ def test_a_name_of_which_another_rule_says_what_is_meant(lint: Lint):
     [
         ("talk/talk/data/plot.py", 0),  # no package of Python, so that nothing installs it
         ("talk/talk/plot.py", 1),
-        ("talk/plot.py", 1),  # beside the code: perhaps what the package is for
+        ("talk/plot.py", 0),
     ],
 )
 def test_a_script_that_is_run_by_hand_where_it_lies(lint: Lint, path: str, told: int):
@@ -807,10 +807,10 @@ def test_the_place_is_one_that_runs(lint: Lint):
         "robot/talker.py": node("from robot import tools", LASER),
         "robot/tools.py": "",
     }
-    (told,) = lint(files)
-    assert missing([told]) == ["geometry_msgs", "nav_msgs", "sensor_msgs"]
+    told, *_ = lint(files)
+    assert missing([told]) == ["geometry_msgs", "sensor_msgs"]
     assert (told.place.file, told.place.line) == ("robot/talker.py", 3)
-    assert [row.place.file for row in told.related] == ["robot/older.py", "robot/kept (copy).py"]
+    assert [row.place.file for row in told.related] == ["robot/older.py"]
 
 
 def test_each_file_goes_by_the_manifest_around_it(lint: Lint):
@@ -1283,6 +1283,56 @@ def test_a_package_with_the_initials_of_an_unknown_one(lint: Lint, declared: str
     files["talk/package.xml"] = manifest("talk", *depends("rclpy", "launch_ros", declared))
     (found,) = lint(files)
     assert said in found.message
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "said"),
+    [
+        ("fetch.sh", "git clone -b humble https://example.org/acme/secret-ros2-driver.git src/x\n", "does not declare"),
+        ("fetch.sh", "git clone git@example.org:acme/secret_things\n", "does not declare"),
+        ("fetch.sh", "git clone https://example.org/acme/hidden-ros2-driver.git\n", "neither in this workspace"),
+        ("fetch.sh", "git clone https://example.org/acme/talk_secret_driver.git talk\n", "does not declare"),
+        (".gitignore", "build/\n/src/secret_driver/\n", "does not declare"),
+        (".gitignore", "build/\nsrc/*/config\n", "neither in this workspace"),
+        ("secret", "", "does not declare"),  # the place of a repository, of which it may have the name of the maker
+        ("ros2-hidden", "", "does not declare"),  # nobody knows what is in a repository that is not there
+        ("README.md", "", "neither in this workspace"),
+        ("COLCON_DEFAULTS", "", "neither in this workspace"),
+        ("sensor_msgs", "", "neither in this workspace"),
+    ],
+)
+def test_a_package_of_a_repository_that_is_not_there(lint: Lint, path: str, text: str, said: str):
+    (told,) = lint(launching(started("secret_driver")) | {path: text})
+    assert said in told.message
+    assert (said == "does not declare") is (
+        told.help == "add <exec_depend>secret_driver</exec_depend> to talk/package.xml"
+    )
+
+
+def test_the_place_of_a_repository_with_the_beginning_of_a_name(lint: Lint, tmp_path: Path):
+    (tmp_path / "secret_x1").mkdir()
+    (told,) = lint(launching(started("secret_x1_ros2")))
+    assert told.message.endswith("'secret_x1_ros2', which its package.xml does not declare")
+
+
+def test_a_folder_of_the_package_itself_is_no_place_of_a_repository(lint: Lint):
+    """The name that a package had before: to declare it would stop rosdep."""
+    files = {path.removeprefix("talk/"): text for path, text in launching(started("secret_driver")).items()}
+    assert lint({**files, "secret_driver/__init__.py": ""}) == []
+
+
+def test_scripts_beside_interfaces(lint: Lint):
+    """A CMakeLists.txt that makes interfaces of files and installs nothing else."""
+    cmake = "project(talk)\nfind_package(ament_cmake REQUIRED)\nfind_package(rosidl_default_generators REQUIRED)\n"
+    cmake += 'rosidl_generate_interfaces(${PROJECT_NAME} "msg/A.msg" DEPENDENCIES geometry_msgs)\nament_package()\n'
+    declared = depends("ament_cmake", "rosidl_default_generators", tag="buildtool_depend")
+    files = {
+        "package.xml": manifest("talk", *declared).replace("ament_python", "ament_cmake"),
+        "CMakeLists.txt": cmake,
+        "msg/A.msg": "geometry_msgs/Pose pose\n",
+        "client.py": node(LASER),
+    }
+    assert missing(lint(files)) == ["geometry_msgs"]
 
 
 def test_a_package_whose_folder_is_empty(lint: Lint, tmp_path: Path):

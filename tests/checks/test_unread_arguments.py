@@ -67,6 +67,16 @@ def test_a_comment_that_says_why_nothing_reads_an_argument(findings, comment: st
     assert len(findings("LCH011", **files)) == told
 
 
+def test_a_name_with_blanks(findings):
+    file = {name: text.replace("'speed', default", "'speed  ', default") for name, text in _file().items()}
+    (told,) = findings("LCH011", **file)
+    assert told.message == (
+        "nothing reads the launch argument 'speed  ': setting it has no effect; blanks at the ends of 'speed  ' are a "
+        "part of the name"
+    )
+    assert told.help == "declare it as 'speed', or remove the declaration"
+
+
 def test_use_sim_time_is_declared_as_a_habit(findings):
     (told,) = findings(
         "LCH011", **{"launch/it.launch.py": _file()["launch/it.launch.py"].replace("speed", "use_sim_time")}

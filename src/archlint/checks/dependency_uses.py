@@ -73,7 +73,7 @@ def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, l
         package = known.home(use.place.file)
         if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
             continue
-        if _installs_nothing(workspace, package) or _is_beside_cpp(workspace, package, use):
+        if _is_of_a_loose_file(workspace, package, use) or _is_beside_cpp(workspace, package, use):
             continue
         if any(known.declares(file, use) for file in (use.place.file, *use.also)):
             continue
@@ -92,14 +92,18 @@ def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, l
     return by_package
 
 
+def _is_of_a_loose_file(workspace: WorkspaceIndex, package: Package, use: Use) -> bool:
+    """Whether a package installs nothing but the interfaces that it makes, and a use is in anything else."""
+    return use.how not in ("uses types of", "includes headers of") and _installs_nothing(workspace, package)
+
+
 def _installs_nothing(workspace: WorkspaceIndex, package: Package) -> bool:
-    """Whether a package is a folder of loose scripts, as far as its CMakeLists.txt goes: nothing of it is built, so
-    that nothing of it can be started with ROS."""
+    """Whether a package is a folder of loose scripts, as far as its CMakeLists.txt goes: nothing of it is built but
+    interfaces, so that nothing of it can be started with ROS."""
     installs = workspace.installs.get(package.name)
     if installs is None or installs.folder != package.relative or not installs.build_files:
         return False
     some = installs.executables or installs.files or installs.open_executables or installs.open_files
-    some = some or installs.generated_at is not None
     if package.build_type != "ament_cmake" or some or installs.mentioned:
         return False
     return not any("install" in word or word == "ament_auto_package" for word in installs.words)

@@ -314,8 +314,9 @@ def _in_package(system: System, reference: FileReference, shown: str) -> str:
 def _file_meant(workspace: WorkspaceIndex | None, package: str, shown: str) -> str:
     """The file beside a missing one whose name is nearest to its name, or the path of the one file that has its very
     name in another folder: that to which it is installed."""
-    beside = [] if workspace is None else names_beside(workspace, package, shown)
     name = posixpath.basename(posixpath.normpath(shown))
+    beside = [] if workspace is None else names_beside(workspace, package, shown)
+    beside = [other for other in beside if name.endswith(_SEMANTIC) or not other.endswith(_SEMANTIC)]
     same = [other for other in beside if have_same_words(name, other)]
     if len(same) == 1:
         return same[0]
@@ -326,6 +327,10 @@ def _file_meant(workspace: WorkspaceIndex | None, package: str, shown: str) -> s
     if workspace is None or other is None:
         return near or ""
     return next(iter(installed_paths(workspace, package, other) or ()), other)
+
+
+_SEMANTIC = (".srdf", ".srdf.xacro")
+"""What MoveIt needs beside the description of a robot, and nothing that can stand for it."""
 
 
 def _not_installed_either(workspace: WorkspaceIndex | None, package: str, shown: str, near: str) -> str:

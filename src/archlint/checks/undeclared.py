@@ -52,7 +52,7 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
         hidden = [use for use in uses if _is_hidden(workspace, use)]
         # What a comment allows is a finding of its own, for the comment to hide.
         shown = [use for use in uses if use not in hidden and not _closes_circle(use, workspace, folder, used)]
-        for group in (shown, *([use] for use in hidden)):
+        for group in (*_by_whether_they_run(workspace, shown), *([use] for use in hidden)):
             if group:
                 yield _undeclared(workspace, workspace.manifests[folder], group)
 
@@ -74,6 +74,13 @@ def _is_in_launch_file_left_out(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether a file is a launch file that its package leaves out while it installs others, and that none includes and
     no document starts: the package does not need what is in it."""
     return workspace.launch_files.can_be_launched(file) and is_left_out_launch_file(workspace, file)
+
+
+def _by_whether_they_run(workspace: WorkspaceIndex, uses: Sequence[Use]) -> tuple[list[Use], list[Use]]:
+    """The uses of packages that something needs which runs, and those of packages that only other files name: they are
+    a finding of their own, which is counted and not shown, for who starts the package's programs needs none of them."""
+    running = {use.needed for use in uses if not nothing_runs(workspace, use.place.file)}
+    return [use for use in uses if use.needed in running], [use for use in uses if use.needed not in running]
 
 
 def _spare(workspace: WorkspaceIndex, file: str) -> int:

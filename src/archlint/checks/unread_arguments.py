@@ -30,6 +30,7 @@ def unread_launch_argument(system: System, options: Options) -> Iterator[Finding
         return
     first, *others = unread
     names = [argument.name for argument in unread]
+    blank = _with_blanks(names)
     workspace = system.workspace
     kept = {
         argument.name: variable
@@ -41,6 +42,8 @@ def unread_launch_argument(system: System, options: Options) -> Iterator[Finding
         *most, last = [f"'{name}'" for name in names]
         shown = f"{', '.join(most)} and {last}"
         message = f"nothing reads the launch arguments {shown}: setting them has no effect"
+    if blank:
+        message += f"; blanks at the ends of '{blank[0]}' are a part of the name"
     diagnostic = finding(
         "LCH011",
         first.place,
@@ -56,7 +59,14 @@ def unread_launch_argument(system: System, options: Options) -> Iterator[Finding
     yield replace(diagnostic, severity=Severity.INFO) if _OF_HABIT.issuperset(names) else diagnostic
 
 
+def _with_blanks(names: Sequence[str]) -> list[str]:
+    """The names that begin or end with a blank: what reads the same name without it reads another argument."""
+    return [name for name in names if name != name.strip()]
+
+
 def _help(system: System, argument: DeclaredArgument, kept: tuple[str, Place] | None) -> str:
+    if argument.name != argument.name.strip():
+        return f"declare it as '{argument.name.strip()}', or remove the declaration"
     if kept is not None:
         return f"use {kept[0]} where it is meant, or remove it and the declaration"
     return f"read it where it is meant, {_reading(system, argument)}, or remove the declaration"

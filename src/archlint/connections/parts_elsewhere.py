@@ -82,17 +82,32 @@ def is_fetched(workspace: WorkspaceIndex, package: str) -> bool:
 
 
 def may_be_in_a_submodule(workspace: WorkspaceIndex, package: str) -> bool:
-    """Whether the name of a git submodule that is not checked out has the word with which that of a package begins:
-    ``arm_ros`` may bring ``arm_description``, and so may ``acme_arm``.  Or whether it has the whole name of the package
-    in it: ``ros-imu-bno`` brings ``imu_bno``.  One that no ``.gitmodules`` names is an empty folder or file."""
+    """Whether the name of a git submodule that is not checked out, or of a repository that a script clones, has the
+    word with which that of a package begins: ``arm_ros`` may bring ``arm_description``, and so may ``acme_arm``.  Or
+    whether it has the whole name of the package in it: ``ros-imu-bno`` brings ``imu_bno``, and ``imu-ros2-bno`` too.
+    One that no ``.gitmodules`` names is an empty folder or file, and nobody knows what is in it."""
     first, *others = words = re.split(r"[_-]", package.lower())
-    absent = _absent_submodules(workspace)
-    beside = [posixpath.normpath(posixpath.join(parent, package)) for parent in _parents_of_packages(workspace)]
-    if any(workspace.tree.is_folder(path) or _is_link_of_git(workspace, path) for path in beside):
+    if _has_a_place(workspace, package) or _unknown_repositories(workspace):
         return True
-    if others and any(_has_in_a_row(re.split(r"[_-]", name.lower()), words) for name in absent):
+    absent = _absent_submodules(workspace)
+    if others and any({*words}.issubset(re.split(r"[_-]", name.lower())) for name in absent):
         return True
     return len(first) > _SHORT and any(first in _submodule_words(name) for name in absent)
+
+
+def _has_a_place(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether there is nothing but a place for a package, or for what its name begins with, where packages lie:
+    ``arm_x1`` for ``arm_x1_ros2``.  A ``.gitignore`` may name that place, for a repository in this one."""
+    names = [package[:at] for at, letter in enumerate(package) if letter == "_" and at > _SHORT]
+    names = [package, *(name for name in names if name not in _THEMES)]
+    paths = [posixpath.normpath(posixpath.join(parent, name)) for parent in _parents(workspace) for name in names]
+    if any(_is_empty_folder(workspace, path) or _is_link_of_git(workspace, path) for path in paths):
+        return True
+    return package in _ignored_folders(workspace)
+
+
+def _is_empty_folder(workspace: WorkspaceIndex, path: str) -> bool:
+    return workspace.tree.is_folder(path) and not workspace.tree.files_below(path)
 
 
 def _is_link_of_git(workspace: WorkspaceIndex, path: str) -> bool:
@@ -100,8 +115,41 @@ def _is_link_of_git(workspace: WorkspaceIndex, path: str) -> bool:
     return workspace.tree.is_file(path) and not workspace.tree.text(path)
 
 
-def _has_in_a_row(words: list[str], wanted: list[str]) -> bool:
-    return any(words[at : at + len(wanted)] == wanted for at in range(len(words)))
+@once
+def _unknown_repositories(workspace: WorkspaceIndex) -> tuple[str, ...]:
+    """The names of such files where packages lie, but for those that are names of packages."""
+    parents = {*_parents(workspace)}
+    every = workspace.tree.files_below(workspace.tree.top)
+    beside = (path for path in every if posixpath.dirname(path) in parents and _REPOSITORY_NAME.fullmatch(_name(path)))
+    declared = {row.name for package in workspace.manifests.values() for row in package.dependencies}
+    known = packages.table().names | declared
+    return tuple(_name(path) for path in beside if _is_link_of_git(workspace, path) and _name(path) not in known)
+
+
+_REPOSITORY_NAME = re.compile(r"(?=.*[a-z])[A-Za-z0-9][\w-]*")
+"""No ``COLCON_IGNORE``, and no file with an ending."""
+
+_SCRIPT = re.compile(r".*\.(?:sh|bash)|[^/]*[Dd]ockerfile[^/]*")
+_CLONE = re.compile(r"\bgit clone\b[^\n]*?(?:://|@)[^\s'\"]*/([\w-]+?)(?:\.git)?/?(?=[\s'\"]|$)")
+
+
+@once
+def _cloned(workspace: WorkspaceIndex) -> tuple[str, ...]:
+    """The names of the repositories that scripts of the workspace clone."""
+    every = workspace.tree.files_below(workspace.tree.top)
+    texts = [workspace.tree.text(path) or "" for path in every if _SCRIPT.fullmatch(posixpath.basename(path))]
+    return tuple(dict.fromkeys(name for text in texts for name in _CLONE.findall(text)))
+
+
+_FOLDER = re.compile(r"^[ \t]*/?(?:[\w.-]+/)*src/([\w-]+)/?[ \t\r]*$", re.MULTILINE)
+
+
+@once
+def _ignored_folders(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The folders in a ``src`` that a ``.gitignore`` names one by one: packages that the team keeps elsewhere."""
+    every = workspace.tree.files_below(workspace.tree.top)
+    texts = [workspace.tree.text(path) or "" for path in every if posixpath.basename(path) == ".gitignore"]
+    return frozenset(name for text in texts for name in _FOLDER.findall(text))
 
 
 _SHORT = 3
@@ -120,16 +168,19 @@ def _submodule_words(name: str) -> set[str]:
 
 
 @once
-def _parents_of_packages(workspace: WorkspaceIndex) -> tuple[str, ...]:
-    return tuple(sorted({posixpath.dirname(folder) for folder in workspace.manifests if folder}))
+def _parents(workspace: WorkspaceIndex) -> tuple[str, ...]:
+    """The folders in which packages lie."""
+    return tuple(sorted({posixpath.dirname(folder) for folder in workspace.manifests if folder not in ("", ".")}))
 
 
 @once
 def _absent_submodules(workspace: WorkspaceIndex) -> tuple[str, ...]:
+    """The names of all repositories that the workspace says it has and that are not there."""
     every = workspace.tree.files_below(workspace.tree.top)
     folders = {folder for path in every for folder in posixpath.dirname(path).split("/")}
     text = workspace.tree.text(posixpath.join(workspace.tree.top, ".gitmodules")) or ""
-    return tuple(name for path in paths_of_submodules(text) if (name := _name(path)) not in folders)
+    names = [*map(_name, paths_of_submodules(text)), *_cloned(workspace)]
+    return tuple(name for name in names if name not in folders)
 
 
 def _plain(name: str) -> str:

@@ -69,6 +69,8 @@ def _others_of(finding: Finding) -> set[str]:
     return {related.place.file for related in finding.related if together}
 
 
+_OF_FILES = frozenset({"PKG001"})
+"""Rules about packages that tell which file of code needs what."""
 _OF_DECLARATIONS = ("ARC", "OWN003")
 """Rules about what a team declares: they are shown wherever they are."""
 
@@ -77,7 +79,7 @@ def _is_of_what_runs(finding: Finding) -> bool:
     check = registered().get(finding.code)
     if check is None:
         return finding.code == "LNT002"
-    of_code = check.scope not in (Scope.WORKSPACE, Scope.RUNNING)
+    of_code = check.scope not in (Scope.WORKSPACE, Scope.RUNNING) or finding.code in _OF_FILES
     return of_code and not finding.code.startswith(_OF_DECLARATIONS)
 
 
