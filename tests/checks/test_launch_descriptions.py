@@ -261,6 +261,19 @@ def test_a_declaration_that_nothing_adds_is_told_once(findings, read, codes):
     assert [told.code for code in ("LCH003", "LCH008") for told in findings(code, **file)] == codes
 
 
+@pytest.mark.parametrize(
+    ("default", "help"),
+    [
+        ("'no'", "delete it: in the list it would change the default of 'gui'"),
+        ("'true'", "put 'declare_gui' into the list of LaunchDescription(), or delete it"),
+    ],
+)
+def test_a_declaration_with_another_default_than_what_reads_it(findings, default: str, help: str):
+    read = f"arguments=[LaunchConfiguration('gui', default={default})]"
+    (told,) = findings("LCH008", **{"launch/it.launch.py": DECLARED.format(read=read)})
+    assert told.help == help
+
+
 # ------------------------------------------------------------------------------ the name that launch looks for
 
 

@@ -83,6 +83,15 @@ def test_an_executable_that_a_package_of_ros_does_not_have(findings, package, ex
     assert finding.message == f"package '{package}' installs no executable '{executable}'{hint}"
 
 
+@pytest.mark.parametrize(("executable", "file"), [("gazebo", "gazebo.launch.py"), ("gzserver", "gzserver.launch.py")])
+def test_what_a_package_of_ros_has_a_launch_file_for(findings, executable: str, file: str):
+    (told,) = findings("LCH001", node(pkg="gazebo_ros", exec=executable))
+    assert (told.message, told.help) == (
+        f"package 'gazebo_ros' installs no executable '{executable}'",
+        f"include its {file}",
+    )
+
+
 @pytest.mark.parametrize(
     ("package", "executable"),
     [

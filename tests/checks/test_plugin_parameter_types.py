@@ -159,3 +159,37 @@ def generate_launch_description():
     for name, times in (("max_vel_x", 0), ("FollowPath.max_vel_x", 0), ("width", 1)):
         files = {"config/p.yaml": text, "launch/nav.launch.py": launch_file % name}
         assert len(findings("PRM002", "", **files)) == times, name
+
+
+@pytest.mark.parametrize(
+    ("keys", "codes"),
+    [
+        ("local_costmap:\n  ros__parameters:\n    width: 2.5\n", ["PRM005"]),  # nobody gets it: so nobody refuses it
+        ("/local_costmap:\n  ros__parameters:\n    width: 2.5\n", ["PRM005"]),
+        ("local_costmap:\n  local_costmap:\n    ros__parameters:\n      width: 2.5\n", ["PRM002"]),
+        ("/local_costmap/local_costmap:\n  ros__parameters:\n    width: 2.5\n", ["PRM002"]),
+        ("/robot/local_costmap:\n  ros__parameters:\n    width: 2\n", []),
+        ("/**:\n  ros__parameters:\n    width: 2\nlocal_costmap:\n  ros__parameters:\n    width: 2\n", []),
+    ],
+)
+def test_a_costmap_without_its_namespace(findings, keys: str, codes: list[str]):
+    """The node of a costmap lies in a namespace of its own name."""
+    others = "".join(f"{name}:\n  ros__parameters:\n    use_sim_time: false\n" for name in ("amcl", "bt_navigator"))
+    files = {"config/p.yaml": others + "controller_server:\n  ros__parameters: {x: 1}\n" + keys}
+    told = [row for code in ("PRM002", "PRM005") for row in findings(code, "", **files)]
+    assert [row.code for row in told] == codes
+    if codes == ["PRM005"]:
+        assert told[0].message == (
+            "these parameters are for /local_costmap, and the costmap of Nav2 is /local_costmap/local_costmap, "
+            "which gets none of them"
+        )
+        assert told[0].place.line == 9
+
+
+def test_the_costmaps_of_a_file_are_one_finding(findings):
+    names = ("amcl", "local_costmap", "global_costmap")
+    text = "".join(f"{name}:\n  ros__parameters:\n    use_sim_time: false\n" for name in names)
+    (told,) = findings("PRM005", "", **{"config/p.yaml": text})
+    assert (told.place.line, [row.place.line for row in told.related]) == (4, [7])
+    assert [row.message for row in told.related] == ["so it is with '/global_costmap'"]
+    assert told.severity is Severity.WARNING

@@ -11,6 +11,7 @@ from archlint.checks.launch_arguments import told_as_left_out
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.launch_files.argument_defaults import has_another_default
 from archlint.launch_files.foreign_launch_files import ForeignLaunchFile, foreign_launch_files
 from archlint.launch_files.launch_descriptions import misnamed_functions, wrong_descriptions
 from archlint.launch_files.wrong_launch_descriptions import Wrong, WrongDescription
@@ -67,7 +68,7 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
     left_out = told_as_left_out(system) if any(wrong.argument for _, wrong in descriptions) else set()
     for file, wrong in descriptions:
         if (file, wrong.argument) not in left_out:  # LCH003 tells it, where the argument is read
-            yield _of_description(file, wrong)
+            yield _of_declaration(system, file, wrong)
     if system.launched is None and system.workspace is not None:
         for file, wrong in misnamed_functions(system.workspace):
             yield _of_description(file, wrong)
@@ -232,6 +233,14 @@ def _of_description(file: str, wrong: WrongDescription) -> Finding:
         group=(file, wrong.kind),
     )
     return replace(diagnostic, severity=Severity.INFO) if wrong.kind == Wrong.NOT_ADDED else diagnostic
+
+
+def _of_declaration(system: System, file: str, wrong: WrongDescription) -> Finding:
+    """What is said of an action; to add a declaration may change what the launch file does."""
+    told = _of_description(file, wrong)
+    if system.workspace is None or not has_another_default(system.workspace, file, wrong.argument):
+        return told
+    return replace(told, help=f"delete it: in the list it would change the default of '{wrong.argument}'")
 
 
 def _said(wrong: WrongDescription) -> tuple[str, str]:

@@ -18,7 +18,7 @@ from archlint.launch_files.shown_files import is_shown_only
 from archlint.launch_files.unadded_programs import unadded_programs
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
 from archlint.packaging.entry_points import is_empty, starts_nothing
-from archlint.ros.released_programs import programs_instead, programs_of
+from archlint.ros.released_programs import launch_file_instead, programs_instead, programs_of
 from archlint.suggestions import did_you_mean, listed, nearest
 
 if TYPE_CHECKING:
@@ -223,11 +223,12 @@ def _programs_since_humble(workspace: WorkspaceIndex, file: str, package: str, n
 
 def _no_program(started: Started, package: str, name: str, programs: Sequence[str], since: str = "") -> Finding:
     """The finding for a package of ROS that has not got the program, or has not got it ``since`` a distribution."""
+    launch_file = launch_file_instead(package, name)
     return finding(
         "LCH001",
         started.places.get("executable", started.place),
         f"package '{package}' installs no executable '{name}'{since}{did_you_mean(name, programs)}",
-        help=f"start one that it has: {listed(programs)}",
+        help=f"include its {launch_file}" if launch_file else f"start one that it has: {listed(programs)}",
         identity=(package, name),
         group=(package, name),
     )

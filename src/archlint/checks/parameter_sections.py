@@ -12,10 +12,11 @@ from archlint.analysis.declared_parameters import followed
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Related
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch.kinds import FileStatus
 from archlint.launch_files.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
 from archlint.launch_files.files_read_in_code import is_for_a_test, is_read_in_code
+from archlint.launch_files.plugin_parameters import costmaps_without_namespace
 from archlint.launch_files.set_parameters import (
     files_of,
     files_of_process,
@@ -23,6 +24,7 @@ from archlint.launch_files.set_parameters import (
     rewritten_files,
     systems_that_load,
 )
+from archlint.launch_files.unloaded_parameter_files import has_no_reader
 from archlint.suggestions import listed, meant, nearest
 from archlint.systems.nodes import key_of
 from archlint.systems.overrides import key_matches
@@ -52,7 +54,10 @@ class _Loader:
 def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Finding]:
     """Sections of parameter files for nodes that no launch file which loads them starts."""
     workspace = system.workspace
-    if system.launched is None or workspace is None:
+    if workspace is None:
+        return
+    if system.launched is None:
+        yield from _of_costmaps(workspace)
         return
     for file in files_of(system):
         started = _nodes_beside(workspace, file)
@@ -69,6 +74,23 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
             finding_ = _judged(workspace, Place(file, *section.span), section.key, started, unmet)
             if finding_ is not None:
                 yield finding_
+
+
+def _of_costmaps(workspace: WorkspaceIndex) -> Iterator[Finding]:
+    """One finding for the costmaps of a file; less certain to matter where nothing here loads it."""
+    by_file: dict[str, list[tuple[Place, str]]] = {}
+    for place, name in costmaps_without_namespace(workspace):
+        by_file.setdefault(place.file, []).append((place, name))
+    for file, [(place, name), *others] in by_file.items():
+        told = finding(
+            "PRM005",
+            place,
+            f"these parameters are for /{name}, and the costmap of Nav2 is /{name}/{name}, which gets none of them",
+            help=f"write the key twice, one below the other: {name}: {name}: ros__parameters:",
+            related=[Related(other, f"so it is with '/{named}'") for other, named in others],
+            identity=(file, "costmaps"),
+        )
+        yield replace(told, severity=Severity.INFO) if has_no_reader(workspace, file) else told
 
 
 def _any_matches(key: str, started: Sequence[_Loader]) -> bool:

@@ -62,6 +62,8 @@ def _owned(facts: ParameterFacts) -> Iterator[tuple[ParameterEntry, str, str]]:
     types = controllers_of(facts)
     of_nav2 = _is_of_nav2(facts)
     for section in facts.sections:
+        if of_nav2 and _misses_its_costmap(facts, section):
+            continue
         node = section.path[-1].rpartition("/")[2] if section.path else ""
         plugins = _plugins(section)
         whole = types.get(node, node if of_nav2 else "")
@@ -100,6 +102,28 @@ def _is_of_nav2(facts: ParameterFacts) -> bool:
     return len(names & well_known().nodes.keys()) > 1
 
 
+_COSTMAPS = frozenset({"local_costmap", "global_costmap"})
+
+
+def costmaps_without_namespace(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
+    """The sections of files of Nav2 that have the name of a costmap and lack its namespace, which has the same name:
+    the node is ``/local_costmap/local_costmap``, and gets nothing of what is for ``/local_costmap``.  Source:
+    ``Costmap2DROS`` of nav2_costmap_2d, since Dashing."""
+    if "nav2_costmap_2d" in {package.name for package in workspace.manifests.values()}:
+        return
+    for file, facts in parameter_files(workspace):
+        for section in facts.sections if _is_of_nav2(facts) else ():
+            if _misses_its_costmap(facts, section):
+                yield Place(file, *section.span), section.path[0].strip("/")
+
+
+def _misses_its_costmap(facts: ParameterFacts, section: ParameterSection) -> bool:
+    """Whether a section is for a costmap without its namespace, and no other one is for the costmap itself."""
+    name = section.path[0].strip("/") if len(section.path) == 1 else ""
+    keys = {other.key.strip("/") for other in facts.sections}
+    return name in _COSTMAPS and not any(key.endswith(f"{name}/{name}") or "*" in key for key in keys)
+
+
 def _wanted(owner: str, name: str, packages: set[str]) -> ParameterType | None:
     """The type that an owner declares a parameter with; None where its package is here, which may differ."""
     table = well_known()
@@ -132,4 +156,4 @@ def _rewritten(workspace: WorkspaceIndex) -> Mapping[str | None, set[str]]:
     return names
 
 
-__all__ = ["Mistyped", "controllers_of", "mistyped_values"]
+__all__ = ["Mistyped", "controllers_of", "costmaps_without_namespace", "mistyped_values"]

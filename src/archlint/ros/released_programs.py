@@ -53,6 +53,17 @@ _MORE = {
 _BEFORE_HUMBLE: Mapping[str, frozenset[str]] = {"controller_manager": frozenset({"spawner.py", "unspawner.py"})}
 """Those of them that Humble and all later distributions lack."""
 
+_LAUNCH_FILES: Mapping[str, frozenset[str]] = {
+    "gazebo_ros": frozenset({"gazebo", "gzserver", "gzclient"}),
+    "ros_gz_sim": frozenset({"gz_sim", "gz_server"}),
+}
+"""What such packages have a launch file for, ``gazebo.launch.py``, and no program."""
+
+
+def launch_file_instead(package: str, name: str) -> str | None:
+    """The launch file of a package of ROS that starts what somebody takes for one of its programs."""
+    return f"{name}.launch.py" if name in _LAUNCH_FILES.get(package, ()) else None
+
 
 def programs_of(package: str) -> list[str]:
     """The programs of a package of ROS; none where they are not known."""
