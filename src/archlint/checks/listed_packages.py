@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.registry import finding
 from archlint.finding import Finding
 from archlint.packaging.generated_files import is_ignored, submodule_around
+from archlint.packaging.python_folders import only_python_folder
 from archlint.packaging.uninstalled_files import understood
 from archlint.suggestions import meant, nearest
 
@@ -53,7 +54,7 @@ def of_packages_in_vain(workspace: WorkspaceIndex, left_out: Mapping[str, Sequen
         needed = _names(workspace, left_out.get(package, ()))
         right = None if others else needed[0] if len(needed) == 1 else nearest(first, own)
         right = right or (
-            None if others or code.folders else _only_folder(workspace, workspace.installs[package].folder)
+            None if others or code.folders else only_python_folder(workspace, workspace.installs[package].folder)
         )
         more = f", and {len(others)} more" if others else ""
         yield finding(
@@ -65,17 +66,6 @@ def of_packages_in_vain(workspace: WorkspaceIndex, left_out: Mapping[str, Sequen
             identity=(package, "packages", *listed),
             meant=right or "",
         )
-
-
-def _only_folder(workspace: WorkspaceIndex, package: str) -> str | None:
-    """The one folder of a package that is one of Python: that which a setup.py installs none of is called otherwise."""
-    depth = 0 if package in ("", ".") else len(package.split("/"))
-    parts = (path.split("/")[depth:] for path in workspace.tree.files_below(package or "."))
-    names = {own[0] for own in parts if own[1:] == ["__init__.py"]} - _OF_TESTS
-    return names.pop() if len(names) == 1 else None
-
-
-_OF_TESTS = frozenset({"test", "tests"})
 
 
 __all__ = ["of_packages_in_vain", "packages_in_vain"]
