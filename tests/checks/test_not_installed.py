@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.workspace.tracked import index_of
-from robot_package import CMAKE, SETUP, TALKER, manifest, node
+from robot_package import CMAKE, SETUP, TALKER, manifest, node, write_files
 
 IMPORTS = "from robot.words.greetings import HELLO\n" + TALKER
 CODE = {"robot/talker.py": IMPORTS, "robot/words/greetings.py": "HELLO = 'hello'\n"}
@@ -438,9 +440,24 @@ def test_a_package_that_is_listed_and_has_no_folder(findings, packages, message,
         ({"test/__init__.py": ""}, "write 'robot'"),
     ],
 )
-def test_the_only_folder_of_python_has_another_name(findings, more, help):
+def test_the_folder_that_programs_need_has_another_name(findings, more, help):
     (finding,) = findings("PKG004", LAUNCH, **{"setup.py": setup("['my_python_package']")}, **more)
     assert finding.help == help
+
+
+@pytest.mark.parametrize(
+    ("folders", "help"), [(["motor", "test"], "write 'motor'"), (["motor", "arm"], "take it off the list")]
+)
+def test_the_only_folder_of_python_has_another_name(tmp_path, monkeypatch, folders: list[str], help: str):
+    files = {f"src/wheels/{name}/__init__.py": "" for name in folders}
+    files["src/wheels/package.xml"] = manifest("my_python_package")
+    files["src/wheels/setup.py"] = (
+        "from setuptools import setup\nsetup(name='wheels', packages=['my_python_package'])\n"
+    )
+    write_files(tmp_path, {"archlint.toml": 'select = ["PKG004"]', **files})
+    monkeypatch.chdir(tmp_path)
+    (told,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert told.help == help
 
 
 @pytest.mark.parametrize(

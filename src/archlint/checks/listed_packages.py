@@ -53,9 +53,8 @@ def of_packages_in_vain(workspace: WorkspaceIndex, left_out: Mapping[str, Sequen
         own = sorted({name.rpartition(".")[0] for name in workspace.code.modules_of(package)} - {""})
         needed = _names(workspace, left_out.get(package, ()))
         right = None if others else needed[0] if len(needed) == 1 else nearest(first, own)
-        right = right or (
-            None if others or code.folders else only_python_folder(workspace, workspace.installs[package].folder)
-        )
+        if right is None and not others and not any(map(code.has, workspace.code.modules_of(package).values())):
+            right = only_python_folder(workspace, workspace.installs[package].folder)
         more = f", and {len(others)} more" if others else ""
         yield finding(
             "PKG004",
