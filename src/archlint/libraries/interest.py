@@ -30,6 +30,16 @@ WORDS = (
 ) - {"__init__", "join", "get", "path", "set", "exists", "isfile"}
 """Names of the API tables, as they are written in source."""
 
+_LITTLE_IN_CPP = frozenset(
+    {"ArgumentParser", "Duration", "as_completed", "call", "done", "get_interface", "get_message", "get_service"}
+    | {"getenv", "import_module", "init", "input", "isdir", "map", "partial", "result", "set_exception", "set_result"}
+    | {"get_fully_qualified_name", "get_name", "get_namespace", "resolve_service_name", "resolve_topic_name"}
+    | {"submit", "sleep", "wait"}
+)
+"""Words that mean something else in C++ (``std::map``, a field ``result``), and those that add nothing to a node and
+use nothing of it."""
+_WORDS_OF_CPP = WORDS - _LITTLE_IN_CPP
+
 _MAKING = frozenset(
     {"callbacks", "create_node", "declare_parameter", "declare_parameters", "endpoint", "parameter_client"}
     | {"static_transform_listener", "timer", "transform_buffer", "transform_listener"}
@@ -38,6 +48,6 @@ MAKERS = frozenset(row.path.rpartition(".")[2] for row in tables.ROWS if row.eff
 """Names of what adds something to a node."""
 
 
-def interesting(ir: Source) -> bool:
+def interesting(ir: Source, *, in_cpp: bool = False) -> bool:
     """Whether a function or class uses a name of the API tables."""
-    return not names_in(ir).isdisjoint(WORDS)
+    return not names_in(ir).isdisjoint(_WORDS_OF_CPP if in_cpp else WORDS)

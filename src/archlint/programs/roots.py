@@ -179,6 +179,7 @@ def _run_methods(run: Run) -> None:
         seen[id(cls)] = seen.get(id(cls), 0) + 1
         if seen[id(cls)] > INSTANCES:
             continue
+        is_in_cpp = cls.scope.module.file.kind == "cpp"
         for function, owner in _methods(run, cls):
             ir = function.ir
             # What runs on the class, or on nothing, is the same for every object of it.
@@ -188,7 +189,7 @@ def _run_methods(run: Run) -> None:
             special = ir.name.startswith("__") and ir.name != "__call__"
             if special or "abstract" in function.decorators:
                 continue
-            if not interesting(ir) and not _passes_node_on(run, instance, ir):
+            if not interesting(ir, in_cpp=is_in_cpp) and not _passes_node_on(run, instance, ir):
                 continue
             bound = bind_quietly(function, instance, owner)
             is_transition = ir.name.rpartition("::")[2] in LIFECYCLE

@@ -187,7 +187,8 @@ def _definition(run: Run, module: Module, variable: str, value: Value | None) ->
         return None
     is_node = isinstance(value, ClassValue) and node_classes.is_node(value)
     constructor = _constructor_outside(run, value)
-    is_interesting = interesting(value.ir) or (constructor is not None and interesting(constructor))
+    in_cpp = value.scope.module.file.kind == "cpp"
+    is_interesting = any(interesting(code, in_cpp=in_cpp) for code in (value.ir, constructor) if code is not None)
     return Definition(
         variable,
         getattr(value.ir, "name", ""),
