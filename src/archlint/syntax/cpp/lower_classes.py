@@ -11,7 +11,7 @@ from archlint.syntax.cpp.declared import Declared, declared
 from archlint.syntax.cpp.known_names import FIELD, FIELDS, GIVEN, SEQUENCES
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_functions import BASES, FunctionLowering, function_declarator
-from archlint.syntax.cpp.names import FunctionScope, Names, Part
+from archlint.syntax.cpp.names import DEFINED, FunctionScope, Names, Part
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -83,7 +83,7 @@ class ClassLowering(FunctionLowering):
 
     def _field_declaration(self, node: Node, own: str, inner: list[Stmt], fields: list[Stmt]) -> None:
         kind = node.child_by_field_name("type")
-        if kind is not None and kind.type in ("class_specifier", "struct_specifier", "enum_specifier"):
+        if kind is not None and kind.type in DEFINED:
             self.statement(kind, inner)
         is_static = any(child.type == "storage_class_specifier" and child.text == b"static" for child in node.children)
         with self.names.function(FunctionScope(own)):
@@ -212,9 +212,9 @@ class ClassLowering(FunctionLowering):
             number = int(lowered.number) + 1 if lowered.number is not None else number + 1
             at = self.source.span(child)
             members.append(facts.Assign([facts.Name(self.source.text(member), at)], lowered, at))
-        if name is not None:
-            own = self.source.text(name)
-            body.append(facts.Class(own, [], members, [], span, self.source.span(name)))
+        if name is not None or (node.parent is not None and node.parent.type == "type_definition"):
+            own = self.names.parts(node)[-1].name
+            body.append(facts.Class(own, [], members, [], span, self.source.span(name or node)))
         if not any(child.type in ("class", "struct") for child in node.children):
             body.extend(members)
 

@@ -23,7 +23,7 @@ from archlint.syntax.cpp.known_names import (
 )
 from archlint.syntax.cpp.lower_calls import CallLowering
 from archlint.syntax.cpp.lower_expressions import is_target
-from archlint.syntax.cpp.names import Part
+from archlint.syntax.cpp.names import DEFINED, Part
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -224,6 +224,10 @@ class DeclarationLowering(CallLowering):
     def typedef(self, node: Node, body: list[Stmt]) -> None:
         name, kind = node.child_by_field_name("declarator"), node.child_by_field_name("type")
         if name is not None and kind is not None and name.type == "type_identifier":
+            if kind.type in DEFINED and kind.child_by_field_name("body") is not None:
+                self.statement(kind, body)
+                if self.names.parts(kind)[-1].name == self.source.text(name):
+                    return
             self._name_type(self.source.text(name), kind, self.source.span(node), body)
 
     def _name_type(self, name: str, kind: Node, span: Span, body: list[Stmt]) -> None:

@@ -17,7 +17,7 @@ from archlint.syntax.cpp.declared import declared
 from archlint.syntax.cpp.literals import number_of, text_of
 from archlint.syntax.cpp.lower_classes import ClassLowering
 from archlint.syntax.cpp.macro_heads import HOLDERS, macro_in_front
-from archlint.syntax.cpp.names import FunctionScope, Names, unnamed
+from archlint.syntax.cpp.names import DEFINED, FunctionScope, Names, unnamed
 from archlint.syntax.cpp.parser import parse
 from archlint.syntax.cpp.source import SourceText
 from archlint.syntax.cpp.uses import uses_of
@@ -92,7 +92,7 @@ class Lowering(ClassLowering):
         while waiting:
             node, space = waiting.pop()
             name = node.child_by_field_name("name")
-            if name is not None and node.type in ("class_specifier", "struct_specifier", "enum_specifier"):
+            if name is not None and node.type in DEFINED:
                 own = self.source.text(name).partition("<")[0]
                 self.names.classes.add(own)
                 if node.type == "enum_specifier":
@@ -101,7 +101,7 @@ class Lowering(ClassLowering):
                     self.names.nested.add(own)
                 if node.child_by_field_name("body") is not None:
                     self.names.placed.setdefault(own, set()).add(space)
-            elif name is None and node.type in ("class_specifier", "struct_specifier"):
+            elif name is None and node.type in DEFINED:
                 self.names.classes.add(unnamed(node))
                 self.names.nested.add(unnamed(node))
             elif name is not None and node.type == "namespace_definition":

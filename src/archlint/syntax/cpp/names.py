@@ -42,8 +42,12 @@ class Part(NamedTuple):
     """Its template arguments, each a type or an expression."""
 
 
+DEFINED = frozenset({"class_specifier", "struct_specifier", "enum_specifier"})
+"""What defines a type."""
+
+
 def unnamed(node: Node) -> str:
-    """What a class without a name is called, by its place in the file."""
+    """What a type without a name is called, by its place in the file."""
     return f"unnamed_{node.start_point[0] + 1}_{node.start_point[1] + 1}"
 
 
@@ -222,7 +226,7 @@ class Names:
             case "type_descriptor":
                 inner = node.child_by_field_name("type")
                 return [] if inner is None else self.parts(inner)
-            case "class_specifier" | "struct_specifier":  # ``struct { std::string name; } settings;``
+            case kind if kind in DEFINED:  # ``struct { std::string name; } settings;``
                 own = node.child_by_field_name("name")
                 return [Part(unnamed(node))] if own is None else self.parts(own)
         return [Part(self._source.text(node))]

@@ -11,6 +11,8 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.syntax.cpp.names import DEFINED
+
 if TYPE_CHECKING:
     from tree_sitter import Node
 
@@ -114,7 +116,7 @@ def _is_in_function(block: Node) -> bool:
         return node is not None
     declarator = node.child_by_field_name("declarator")
     kind = node.child_by_field_name("type")
-    is_class = kind is not None and kind.type in ("class_specifier", "struct_specifier", "enum_specifier")
+    is_class = kind is not None and kind.type in DEFINED
     while declarator is not None and declarator.type in ("pointer_declarator", "reference_declarator"):
         declarator = declarator.child_by_field_name("declarator") or declarator.named_children[-1]
     return not is_class and declarator is not None and declarator.type == "function_declarator"
