@@ -143,7 +143,7 @@ RATIOS = {"ratio<1>": 1.0, "ratio<60>": 60.0, "milli": 1e-3, "micro": 1e-6, "nan
 
 PAIRS_MADE_BY = frozenset({"std.make_pair", "std.make_tuple", "std.pair", "std.tuple"})
 CHANGING = {
-    **{f"std.{name}": 0 for name in ("replace", "replace_if", "remove", "remove_if", "fill", "generate")},
+    **{f"std.{name}": 0 for name in ("replace", "replace_if", "remove", "remove_if", "fill", "generate", "reverse")},
     **{"std.transform": 2, "std.copy": 2, "std.getline": 1},
     **{
         f"boost.{scope}{name}": 0
@@ -184,6 +184,18 @@ SEQUENCES = frozenset({"vector", "list", "deque", "set", "unordered_set", "array
 MAPS = frozenset({"map", "unordered_map", "multimap"})
 STREAMS = frozenset({"stringstream", "ostringstream"})
 
+OF_DOUBLES = frozenset({"vector<double>", "vector<float>"})
+PARAMETER_TYPES = {
+    **{"string": "STRING", "bool": "BOOL", "float": "DOUBLE", "double": "DOUBLE"},
+    **dict.fromkeys(("int", "int64_t", "int32_t", "long", "uint16_t", "uint32_t", "size_t"), "INTEGER"),
+    "vector<std::string>": "STRING_ARRAY",
+    "vector<double>": "DOUBLE_ARRAY",
+    "vector<int64_t>": "INTEGER_ARRAY",
+    "vector<bool>": "BOOL_ARRAY",
+}
+"""The types of parameters by those of C++, without ``std::`` in front."""
+
+
 __all__ = [
     "CALLER",
     "CHANGING",
@@ -202,9 +214,11 @@ __all__ = [
     "MAPS",
     "MEMBER",
     "OBJECT",
+    "OF_DOUBLES",
     "OPENED",
     "PAIRS",
     "PAIRS_MADE_BY",
+    "PARAMETER_TYPES",
     "PARTS",
     "POINTERS",
     "PUT",

@@ -7,12 +7,15 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
+from archlint.syntax.cpp.inner_scopes import copied_by
 from archlint.syntax.cpp.known_names import (
     DURATIONS,
     ITSELF,
     MAKERS,
+    OF_DOUBLES,
     PAIRS,
     PAIRS_MADE_BY,
+    PARAMETER_TYPES,
     SAME,
     SEQUENCES,
     THREADS,
@@ -199,7 +202,7 @@ class CallLowering(MethodLowering):
         """
         of_type = "".join(self.source.text(part.arguments[0]).split()).removeprefix("std::") if part.arguments else ""
         if not values:
-            word = _PARAMETER_TYPES.get(of_type)
+            word = PARAMETER_TYPES.get(of_type)
             kind = self.names.library("rclcpp.Parameter", span)
             return [] if word is None else [facts.Attribute(facts.Attribute(kind, "Type", span), word, span)]
         number = values[0].number
@@ -207,12 +210,12 @@ class CallLowering(MethodLowering):
             return [facts.Literal(float(number), span)]
         if number is not None and of_type == "bool":
             return [facts.Literal(bool(number), span)]
-        if number is not None and _PARAMETER_TYPES.get(of_type) == "INTEGER":
+        if number is not None and PARAMETER_TYPES.get(of_type) == "INTEGER":
             return [facts.Literal(int(number), span)]
         match values[0]:
             case facts.Call(func=constructor, args=[]) if constructor.last_name in SEQUENCES:
                 return [facts.Sequence("list", [], span)]  # std::vector<std::string>()
-            case facts.Sequence(kind=display, elements=elements) if of_type in _OF_DOUBLES:
+            case facts.Sequence(kind=display, elements=elements) if of_type in OF_DOUBLES:
                 return [facts.Sequence(display, [_as_double(element, span) for element in elements], span)]
             case facts.Sequence(elements=elements) if of_type and not of_type.startswith(("vector<", "array<")):
                 # Braces around what one value is made of.
@@ -341,9 +344,13 @@ class CallLowering(MethodLowering):
         outer, self.before = self.before, []
         with self.names.function(FunctionScope(owner, is_lambda=True)) as scope:
             params = [] if declarator is None else self.parameters(declarator)
-            block = [] if body is None else self.body(body)
+            copied = copied_by(node, self.names, self.source)
+            params += [facts.Param(name, "keyword_only", facts.Name(name, span)) for name in copied]
+            scope.declared.update(copied)
+            scope.variables.update(copied)
+            block = [] if body is None else [*self.own_copies(declarator, body), *self.body(body)]
         self.before = outer
-        shared = sorted(scope.assigned - scope.variables)
+        shared = sorted(scope.assigned - scope.variables - scope.declared)
         for name_of_outer in shared:
             self.note_assigned(facts.Name(name_of_outer, span))
         statements: list[Stmt] = [facts.Global("nonlocal", shared)] if shared else []
@@ -359,6 +366,10 @@ class CallLowering(MethodLowering):
         """The statements of a function."""
         raise NotImplementedError
 
+    def own_copies(self, declarator: Node | None, block: Node | None) -> list[Stmt]:
+        """What makes copies of the parameters that are objects of the function."""
+        raise NotImplementedError
+
 
 _OF_NODE = frozenset(
     {
@@ -372,18 +383,6 @@ _OF_NODE = frozenset(
 def _as_double(element: Expr, span: Span) -> Expr:
     """An item of a ``std::vector<double>``, which takes whole numbers as doubles, too."""
     return element if element.number is None else facts.Literal(element.number, span)
-
-
-_OF_DOUBLES = frozenset({"vector<double>", "vector<float>"})
-_PARAMETER_TYPES = {
-    **{"string": "STRING", "bool": "BOOL", "float": "DOUBLE", "double": "DOUBLE"},
-    **dict.fromkeys(("int", "int64_t", "int32_t", "long", "uint16_t", "uint32_t", "size_t"), "INTEGER"),
-    "vector<std::string>": "STRING_ARRAY",
-    "vector<double>": "DOUBLE_ARRAY",
-    "vector<int64_t>": "INTEGER_ARRAY",
-    "vector<bool>": "BOOL_ARRAY",
-}
-"""The types of parameters by those of C++, without ``std::`` in front."""
 
 
 def _is_placeholder(value: Expr) -> bool:

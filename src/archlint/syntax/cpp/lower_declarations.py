@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import Declared, declared, is_pointer
+from archlint.syntax.cpp.inner_scopes import changed_through, original
 from archlint.syntax.cpp.known_names import (
     COPY,
     DECLARED,
@@ -37,7 +38,7 @@ class DeclarationLowering(CallLowering):
     def declaration(self, node: Node, body: list[Stmt]) -> None:
         kind = node.child_by_field_name("type")
         for variable in declared(node, self.names, self.source):
-            if not variable.name and not variable.bound:
+            if (not variable.name and not variable.bound) or variable.span in self.source.joined:
                 continue
             if variable.is_function and not (self.names.scopes and kind is not None and self._are_values(variable)):
                 if not self.names.scopes and kind is not None and not variable.owner:
@@ -66,6 +67,20 @@ class DeclarationLowering(CallLowering):
                 if variable.owner and isinstance(target, facts.Name):
                     targets.append(facts.Name(f"{variable.owner}::{variable.name}", variable.span))
                 body.append(facts.Assign(targets, value, self.source.span(node)))
+                body += self._changed_later(node, variable)
+
+    def _changed_later(self, node: Node, variable: Declared) -> list[Stmt]:
+        """What a reference to it or a pointer changes is not known any more."""
+        changed = changed_through(node, variable, self.source) if self.names.scopes else None
+        target = None if changed is None else self.lower(changed)
+        if target is None or not is_target(target):
+            return []
+        span = self.source.span(node)
+        return [facts.Assign([target], facts.Opaque("something that a reference changes", span), span)]
+
+    def statement(self, node: Node, body: list[Stmt]) -> None:
+        """Add what a statement is lowered to."""
+        raise NotImplementedError
 
     def _declare(self, variable: Declared, body: list[Stmt]) -> None:
         """A function or variable that is defined in another file, or further down."""
@@ -113,8 +128,10 @@ class DeclarationLowering(CallLowering):
         if last.name in STREAMS and self.names.scopes:
             self.names.scopes[-1].streams.add(variable.name)
             return facts.Literal("", span)
-        if last.name == "string" and self.names.scopes:
+        if last.name == "string" and self.names.scopes and not variable.is_array:
             self.names.scopes[-1].texts.add(variable.name)
+        if self.names.scopes and self.is_object(variable, parts, kind):
+            self.names.scopes[-1].objects.add(variable.name)
         self.note_options(variable.name, parts)
         self.note_items(variable.name, parts)
         if self.names.scopes and self.names.path(parts) == "rclcpp.Parameter":
@@ -127,6 +144,14 @@ class DeclarationLowering(CallLowering):
         if _is_copy(value, variable, self.source.text):
             return facts.Call(self.names.library(COPY, span), [facts.Argument(copied)], span)
         return copied
+
+    def is_object(self, variable: Declared, parts: list[Part], kind: Node | None) -> bool:
+        """Whether a variable is an object of a class, as far as its type is written, and no pointer to one."""
+        if kind is None or kind.type not in _OF_CLASSES or variable.is_pointer or not parts:
+            return False
+        parts = self.names.templates.get(parts[0].name, parts) if len(parts) == 1 else parts
+        last = parts[-1].name
+        return not (last.lower().endswith(("ptr", "pointer", "iterator")) or is_pointer(parts) or last in _NO_OBJECTS)
 
     def _note_found(self, variable: Declared) -> None:
         """``auto found = names.find(key);``: ``found->second`` is what the map has for the key."""
@@ -270,6 +295,10 @@ class DeclarationLowering(CallLowering):
             body.append(facts.Import(module, f"{name.name}::", self.source.span(node)))
 
 
+_OF_CLASSES = frozenset({"type_identifier", "qualified_identifier", "template_type"})
+_NO_OBJECTS = frozenset({"string", "string_view", "function", "reference_wrapper", "size_t"})
+
+
 def _is_variable(value: Expr) -> bool:
     """Whether something is a variable or field that a tuple may be taken apart into; ``std::ignore`` is none."""
     return is_target(value) and not (isinstance(value, facts.Attribute) and value.attr == "ignore")
@@ -324,8 +353,9 @@ def _is_copy(value: Node, variable: Declared, text: Callable[[Node], str]) -> bo
     block = around
     while block.parent is not None and block.type != "compound_statement":
         block = block.parent
-    name = re.escape(variable.name)
-    return re.search(rf"(?<![\w.>]){name}\.(?!get\b|reset\b|lock\b|use_count\b)\w", text(block)) is not None
+    name = re.escape(original(variable.name))
+    asked = r"\.(?!get\b|reset\b|lock\b|use_count\b)\w|\["
+    return re.search(rf"(?<![\w.>]){name}(?:{asked})", text(block)) is not None
 
 
 def _is_of_ros1(meant: list[str], before: list[str]) -> bool:

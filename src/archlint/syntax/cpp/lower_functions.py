@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import declared
+from archlint.syntax.cpp.inner_scopes import join_references
 from archlint.syntax.cpp.known_names import FIELDS, IN_PYTHON, MEMBER, TEMPLATE_ARGUMENT
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_statements import StatementLowering
@@ -152,8 +153,10 @@ class FunctionLowering(StatementLowering):
             is_constructor = owner is not None and part.name == owner
             types, named = self._of_templates(owner if is_constructor else None, span)
             body = self._initialised(node, owner, span) if is_constructor else []
-            body += [] if block is None else self.block(block.named_children)
-            of_file = sorted(scope.assigned - scope.variables)
+            if block is not None:
+                join_references(block, self.names, self.source)
+                body += [*self.own_copies(declarator, block), *self.block(block.named_children)]
+            of_file = sorted(scope.assigned - scope.variables - scope.declared)
             if of_file:
                 body.insert(0, facts.Global("global", of_file))
         first = [facts.Param("self", "normal")] if owner is not None else []

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 from archlint.syntax import facts
 from archlint.syntax.cpp.declared import declared
 from archlint.syntax.cpp.ends_of_blocks import end_of_block
-from archlint.syntax.cpp.known_names import PARTS, SETTLED
+from archlint.syntax.cpp.inner_scopes import SCOPES, join_references, original, rename_hidden
+from archlint.syntax.cpp.known_names import SETTLED
+from archlint.syntax.cpp.lower_assignments import AssignmentLowering
 from archlint.syntax.cpp.lower_expressions import is_target
-from archlint.syntax.cpp.lower_texts import TextLowering
 from archlint.syntax.facts import Param
 from archlint.syntax.statements import JumpKind
 
@@ -25,13 +26,10 @@ if TYPE_CHECKING:
 MAX_NESTING = 100
 """Deepest nesting of statements that is kept."""
 
-_AUGMENTED: dict[str, facts.BinaryOperator] = {"+=": "+", "-=": "-", "*=": "*", "/=": "/", "%=": "%"}
-
-
 StatementKind = Callable[["Node", "list[Stmt]"], None]
 
 
-class StatementLowering(TextLowering):
+class StatementLowering(AssignmentLowering):
     """Lowers statements, too."""
 
     def __init__(self, source: SourceText, names: Names) -> None:
@@ -85,11 +83,18 @@ class StatementLowering(TextLowering):
             return
         outer, self.before = self.before, []
         added: list[Stmt] = []
-        lowering(node, added)
+        if node.type in SCOPES and self.names.scopes:
+            rename_hidden(node, self.names, self.source)
+            join_references(node, self.names, self.source)
+            with self.names.inner_block():
+                lowering(node, added)
+        else:
+            lowering(node, added)
         body.extend((*self.before, *added))
         self.before = outer
 
     def body(self, node: Node) -> list[Stmt]:
+        join_references(node, self.names, self.source)
         return self.block(node.named_children)
 
     def statements_of(self, nodes: list[Node]) -> list[Stmt]:
@@ -114,7 +119,7 @@ class StatementLowering(TextLowering):
         value, span = inner[0], self.source.span(node)
         match value.type:
             case "assignment_expression":
-                self._assign(value, span, body)
+                self.assign(value, span, body)
             case "update_expression":
                 target = self.lower_field(value, "argument")
                 self.note_assigned(target)
@@ -123,6 +128,8 @@ class StatementLowering(TextLowering):
                     body.append(facts.Augmented(target, op, facts.Literal(1, span), span))
             case "delete_expression":
                 return
+            case "call_expression" if (swapped := self.swapped(value, span)) is not None:
+                body.append(swapped)
             case "call_expression" if (rows := self.macro_statements(value, span)) is not None:
                 body.extend(rows)
             case _ if (written := self.written_text(value, span)) is not None:
@@ -146,27 +153,6 @@ class StatementLowering(TextLowering):
             and self.source.text(function).startswith(("RCLCPP_", "RCUTILS_", "ROS_"))
             and (self.source.text(function) != "RCLCPP_COMPONENTS_REGISTER_NODE")
         )
-
-    def _assign(self, node: Node, span: Span, body: list[Stmt]) -> None:
-        tied = self.tied(node.child_by_field_name("left"), span)
-        target, value = tied or self.lower_field(node, "left"), self.lower_field(node, "right")
-        operator = node.child_by_field_name("operator")
-        word = "=" if operator is None else self.source.text(operator)
-        self.note_assigned(target)
-        if tied is not None:
-            value = facts.Call(self.names.library(PARTS, span), [facts.Argument(value)], span)
-            body.append(facts.Assign([tied], value, span))
-        elif not is_target(target):
-            body.append(facts.Expression(value, span))
-        elif word == "=":
-            targets = [target]
-            while isinstance(value, facts.Assigned):  # a = b = c
-                targets, value = [*targets, value.target], value.value
-            body.append(facts.Assign(targets, value, span))
-        elif word in _AUGMENTED:
-            body.append(facts.Augmented(target, _AUGMENTED[word], value, span))
-        else:
-            body.append(facts.Assign([target], facts.Opaque(f"the operator {word}", span), span))
 
     def _return(self, node: Node, body: list[Stmt]) -> None:
         values = [child for child in node.named_children if child.type != "comment"]
@@ -268,10 +254,10 @@ class StatementLowering(TextLowering):
         container = None if begin is None else begin.child_by_field_name("argument")
         if begin is None or container is None:
             return None
-        name, owner = variables[0].name, self.source.text(container)
+        name, owner = original(variables[0].name), self.source.text(container)
         ends = {f"{name}!={owner}{dot}{end}()" for dot in (".", "->") for end in ("end", "cend")}
         is_begin = self.source.text(begin).endswith(("begin", "cbegin"))
-        return (name, container) if is_begin and "".join(self.source.text(test).split()) in ends else None
+        return (variables[0].name, container) if is_begin and "".join(self.source.text(test).split()) in ends else None
 
     def _counted(self, first: Node | None, test: Node | None, update: Node | None) -> tuple[str, Expr, Expr] | None:
         """The variable and the bounds of ``for (int i = a; i < b; ++i)``."""
@@ -316,7 +302,7 @@ class StatementLowering(TextLowering):
     def _is_pair(self, name: str, body: Node | None) -> bool:
         """Whether a loop takes the two parts of what its variable holds."""
         written = "" if body is None else self.source.text(body)
-        is_pair = re.search(rf"\b{re.escape(name)}(?:\.|->)(?:first|second)\b", written) is not None
+        is_pair = re.search(rf"\b{re.escape(original(name))}(?:\.|->)(?:first|second)\b", written) is not None
         if is_pair and self.names.scopes:
             self.names.scopes[-1].pairs.add(name)
         return is_pair

@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
+from archlint.syntax.cpp.inner_scopes import original
 from archlint.syntax.cpp.lower_declarations import DeclarationLowering
 from archlint.syntax.cpp.lower_expressions import given, is_target
 
@@ -37,9 +38,12 @@ class TextLowering(DeclarationLowering):
         if method:
             is_added = method in ("append", "push_back") and len(nodes) == 1 and self.names.is_text(name)
             return facts.Augmented(facts.Name(name, span), "+", self.lower(nodes[0]), span) if is_added else None
-        if self.source.text(called).removeprefix("std::") in ("strcpy", "strncpy") and len(nodes) > 1:
+        copying = self.source.text(called).removeprefix("std::")
+        if copying in ("strcpy", "strncpy", "strcat") and len(nodes) > 1:
             target = self.lower(nodes[0])
             self.note_assigned(target)
+            if copying == "strcat" and is_target(target):
+                return facts.Augmented(target, "+", self.lower(nodes[1]), span)
             return facts.Assign([target], self.lower(nodes[1]), span) if is_target(target) else None
         first = _PRINTS.get(self.source.text(called))
         if first is None or len(nodes) <= first:
@@ -94,7 +98,7 @@ class TextLowering(DeclarationLowering):
         is_reference = declarator is not None and declarator.type == "reference_declarator"
         if block is None or not is_reference or not isinstance(item, facts.Name) or not is_target(container):
             return [], []
-        written, name = self.source.text(block), re.escape(item.id)
+        written, name = self.source.text(block), re.escape(original(item.id))
         if re.search(rf"(?<![\w.>]){name}(?:\s*\+?=(?!=)|\.(?:append|insert|replace)\()", written) is None:
             return [], []
         self.note_assigned(container)

@@ -38,6 +38,7 @@ def lower(data: bytes) -> Facts:
     lowering.note_classes(tree.root_node)
     body = lowering.block(tree.root_node.named_children)
     every: list[Stmt] = [*lowering.imports(), *body, *_started(body)]
+    source.as_written()
     asked, fields, refused = uses_of(source, lowering.names, tree.root_node)
     return Facts(
         FACTS_VERSION,
@@ -164,7 +165,7 @@ class Lowering(ClassLowering):
             return
         with self.names.function(FunctionScope(None)) as scope:
             inner = self.block(node.named_children)
-            of_file = sorted(scope.assigned - scope.variables)
+            of_file = sorted(scope.assigned - scope.variables - scope.declared)
         span, name = self.source.span(node), self.source.text(head)
         inner = [facts.Global("global", of_file), *inner] if of_file else inner
         body.append(facts.Function(name, [], inner, [], None, False, False, span, self.source.span(head)))

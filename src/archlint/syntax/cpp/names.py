@@ -58,11 +58,17 @@ class FunctionScope:
     owner: str | None
     """The class that it is a method of; None for a free function."""
     variables: set[str] = field(default_factory=set)
-    """Its parameters and variables."""
+    """Its parameters and variables, as far as a block that has not ended declares them."""
+    declared: set[str] = field(default_factory=set)
+    """All of them."""
+    blocks: list[set[str]] = field(default_factory=lambda: [set()])
+    """What each of the blocks around declares."""
     assigned: set[str] = field(default_factory=set)
     """What it assigns, other than by declaring it."""
     streams: set[str] = field(default_factory=set)
     """Variables that texts are written into with ``<<``."""
+    objects: set[str] = field(default_factory=set)
+    """Variables that hold an object of a class, and no pointer to one."""
     texts: set[str] = field(default_factory=set)
     """Variables of the type ``std::string``, which methods can change."""
     parameters: set[str] = field(default_factory=set)
@@ -129,7 +135,25 @@ class Names:
     def declare(self, name: str) -> None:
         """A variable is declared here."""
         if self.scopes:
-            self.scopes[-1].variables.add(name)
+            scope = self.scopes[-1]
+            scope.variables.add(name)
+            scope.declared.add(name)
+            scope.blocks[-1].add(name)
+
+    @contextmanager
+    def inner_block(self) -> Iterator[None]:
+        """While a block inside of a function is lowered: what it declares ends with it."""
+        scope = self.scopes[-1]
+        scope.blocks.append(set())
+        try:
+            yield
+        finally:
+            ended = scope.blocks.pop()
+            scope.variables -= {name for name in ended if not any(name in block for block in scope.blocks)}
+
+    def is_visible(self, name: str) -> bool:
+        """Whether a block around, of the same function, declares a name."""
+        return bool(self.scopes) and any(name in block for block in self.scopes[-1].blocks)
 
     def is_variable(self, name: str) -> bool:
         """Whether a name is a variable or parameter of a function around."""
@@ -158,6 +182,10 @@ class Names:
     def is_text(self, name: str) -> bool:
         """Whether a variable is a ``std::string``."""
         return any(name in scope.texts for scope in self.scopes)
+
+    def is_object(self, name: str) -> bool:
+        """Whether a variable holds an object of a class, and no pointer to one."""
+        return any(name in scope.objects for scope in self.scopes)
 
     def is_parameter(self, name: str) -> bool:
         """Whether a variable is an ``rclcpp::Parameter``."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections.abc import Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,17 @@ class SourceText:
         self._lines = None if data.isascii() else data.split(b"\n")
         self._continued: dict[int, list[int]] = {}
         """For each line that was asked for, the columns of the bytes that continue a character."""
+        self._renamed: dict[int, str] = {}
+        self.joined: set[Span] = set()
+        """The references that are called what they refer to."""
+
+    def rename(self, starts: Iterable[int], name: str) -> None:
+        """The variables that are named there are called otherwise."""
+        self._renamed |= dict.fromkeys(starts, name)
+
+    def as_written(self) -> None:
+        """All variables are called what the code calls them."""
+        self._renamed, self.joined = {}, set()
 
     @cached_property
     def words(self) -> str:
@@ -28,6 +40,8 @@ class SourceText:
 
     def text(self, node: Node) -> str:
         """What a node says, as it is written."""
+        if self._renamed and node.start_byte in self._renamed and node.type == "identifier":
+            return self._renamed[node.start_byte]
         return self.data[node.start_byte : node.end_byte].decode("utf-8", "replace")
 
     def span(self, node: Node) -> Span:
