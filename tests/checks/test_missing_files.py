@@ -1046,3 +1046,29 @@ def test_a_file_that_is_opened_and_that_git_ignores(findings):
 def test_a_launch_file_in_yaml_that_is_not_named_so(findings, file, text, found):
     reads = "- node: {pkg: robot, exec: talker, param: [{from: $(var map)}]}\n" if text.startswith("launch") else ""
     assert len(findings("LCH004", **{file: text + reads})) == found
+
+
+ROBOT = """\
+<robot name="robot" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="{file}"/>
+</robot>
+"""
+
+
+@pytest.mark.parametrize(
+    ("file", "lines"),
+    [
+        ("$(find robot)/config/wheel.xacro", [2]),
+        ("wheel.xacro", [2]),
+        ("$(find robot)/config/arm.xacro", []),
+        ("arm.xacro", []),
+        ("$(find turtlebot3_description)/urdf/common.xacro", []),
+    ],
+)
+def test_what_the_description_of_a_robot_includes(findings, file, lines):
+    files = {"config/arm.urdf.xacro": ROBOT.replace("{file}", file), "config/arm.xacro": "<robot/>"}
+    code = OPENS.replace("tf.yaml", "arm.urdf.xacro").format(code="import xacro; xacro.process_file(path)")
+    told = findings("LCH004", **{"launch/py.launch.py": code}, **files)
+    assert [(finding.place.file, finding.place.line) for finding in told] == [
+        ("config/arm.urdf.xacro", line) for line in lines
+    ]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import is_complete
 from archlint.analysis.kept import kept
-from archlint.connections.own_types import files_that_name, is_defined
+from archlint.connections.own_types import are_only_ends, files_that_name, is_defined
 from archlint.connections.parts_elsewhere import has_parts_elsewhere
 from archlint.model import EntityKind
 
@@ -54,7 +54,7 @@ class OnlyOnes:
 
     def are_meant_as_one(self, system: System, publisher: Endpoint, subscription: Endpoint) -> bool:
         """Whether a publisher and a subscription without partners are the only ones of their type, and their names
-        consist of the same words."""
+        consist of the same words, or nobody else can have the type."""
         workspace, type_ = system.workspace, publisher.type
         if workspace is None or publisher.kind is not EntityKind.PUBLISHER or type_ is None:
             return False
@@ -62,11 +62,14 @@ class OnlyOnes:
             return False
         if (None, True) in self._names or (None, False) in self._names:
             return False  # of a type that is not known
-        if not _are_alike(publisher.name or "", subscription.name or "", type_, workspace):
+        alike = _are_alike(publisher.name or "", subscription.name or "", type_, workspace)
+        ends = publisher, subscription
+        if not alike and (any(_is_in_a_document(workspace, end) for end in ends) or not are_only_ends(system, *ends)):
             return False
         if not (is_complete(publisher.node) and is_complete(subscription.node)) or has_parts_elsewhere(workspace):
             return False
-        return not any(_is_written_elsewhere(system, workspace, end) for end in (publisher, subscription))
+        own = frozenset() if alike else frozenset(end.place.file for end in ends)  # which are followed
+        return not any(_is_written_elsewhere(system, workspace, end, own) for end in ends)
 
 
 def _are_alike(name: str, other: str, type_: str, workspace: WorkspaceIndex) -> bool:
@@ -108,12 +111,24 @@ def _words(name: str) -> list[str]:
     return [word.lower() for word in _PARTS.split(name) if word]
 
 
-def _is_written_elsewhere(system: System, workspace: WorkspaceIndex, end: Endpoint) -> bool:
-    """Whether a file that makes no end of a topic has the last part of its name."""
+def _is_written_elsewhere(system: System, workspace: WorkspaceIndex, end: Endpoint, followed: frozenset[str]) -> bool:
+    """Whether a file that makes no end of a topic has the last part of its name, but for some that are ``followed``."""
     name = (end.name or "").rpartition("/")[2]
     files = kept(workspace, (_is_written_elsewhere, name), lambda: files_that_name(workspace, name, _NAMED_IN))
     connection = system.topics[end.name or ""]
-    return not files <= {each.place.file for each in (*connection.providers, *connection.users)}
+    return not files <= {each.place.file for each in (*connection.providers, *connection.users)} | followed
+
+
+_DOCUMENTS = (".md", ".rst", ".txt")
+_BY_HAND = "ros2 topic"
+
+
+def _is_in_a_document(workspace: WorkspaceIndex, end: Endpoint) -> bool:
+    """Whether a document that tells how to publish or read a topic by hand has the last part of its name: a person may
+    be the other end."""
+    name = (end.name or "").rpartition("/")[2]
+    files = kept(workspace, (_is_in_a_document, name), lambda: files_that_name(workspace, name, _DOCUMENTS))
+    return any(_BY_HAND in (workspace.tree.text(file) or "") for file in files)
 
 
 __all__ = ["OnlyOnes", "have_one_core", "is_one_word_more"]

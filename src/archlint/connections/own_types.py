@@ -61,6 +61,18 @@ def is_only_server(system: System, server: Endpoint) -> bool:
     return only and is_defined(workspace, server.type) and _all_ends_known(system, workspace, server.type)
 
 
+def are_only_ends(system: System, publisher: Endpoint, subscription: Endpoint) -> bool:
+    """Whether the workspace defines the type of a publisher and a subscription, and nothing else there publishes or
+    subscribes to it: nobody outside can know the type, so that each can be meant for the other alone."""
+    workspace, type_ = system.workspace, publisher.type
+    if workspace is None or workspace.is_subset or workspace.cut_short() or type_ is None:
+        return False
+    lines = {EntityKind.PUBLISHER: publisher.place, EntityKind.SUBSCRIBER: subscription.place}
+    views = (_ends_of_system(system), _ends_of_workspace(workspace))
+    only = all(ends.topic_lines(kind, type_) <= {place} for ends in views for kind, place in lines.items())
+    return only and is_defined(workspace, type_) and _all_ends_known(system, workspace, type_)
+
+
 def _all_ends_known(system: System, workspace: WorkspaceIndex, type_: str) -> bool:
     """Whether each file of the workspace that names a type has ends of it, and nothing else that may have some."""
     name = type_.rpartition("/")[2]
@@ -69,6 +81,7 @@ def _all_ends_known(system: System, workspace: WorkspaceIndex, type_: str) -> bo
     return files <= ends.files_of(type_) | others.files_of(type_)
 
 
+_OF_TOPICS = frozenset({EntityKind.PUBLISHER, EntityKind.SUBSCRIBER})
 _REQUESTS = (".call", ".call_async", ".send_goal", ".send_goal_async")
 
 
@@ -126,10 +139,16 @@ class _Ends:
                 self._lines[end.kind, end.type].add(end.place)
             elif end.kind in SERVER_OF and end.type is not None:
                 self.asked.add(end.type)
+            elif end.kind in _OF_TOPICS:
+                self._lines[end.kind, end.type].add(end.place)
 
     def lines_of(self, server: Endpoint) -> set[Place]:
         """Where servers of the type of one are made, or of a type that is not known."""
         return self._lines.get((server.kind, server.type), set()) | self._lines.get((server.kind, None), set())
+
+    def topic_lines(self, kind: EntityKind, type_: str) -> set[Place]:
+        """Where publishers or subscriptions of a type are made, or of a type that is not known."""
+        return self._lines.get((kind, type_), set()) | self._lines.get((kind, None), set())
 
     def files_of(self, type_: str) -> frozenset[str]:
         return frozenset(self._files.get(type_, ()))
@@ -154,4 +173,4 @@ def files_that_name(workspace: WorkspaceIndex, name: str, endings: tuple[str, ..
     return frozenset(path for path in paths if workspace.code.mentions(path, name))
 
 
-__all__ = ["files_that_name", "has_no_server_here", "is_only_server", "may_be_served_elsewhere"]
+__all__ = ["are_only_ends", "files_that_name", "has_no_server_here", "is_only_server", "may_be_served_elsewhere"]

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import Known, Value
+from archlint.launch.described_files import note_described
 from archlint.launch.kinds import FileKind
 from archlint.launch.objects import known_text
 
@@ -40,7 +41,7 @@ def note_paths(
     for value in values:
         text = known_text(value) or ""
         if _SHARED.fullmatch(text) and not text.endswith(".rviz"):
-            run.reference(kind, value, place, name)
+            note_described(run, run.reference(kind, value, place, name))
 
 
 def note_value(run: LaunchRun, name: str | None, text: str, place: Place, given: Place | None = None) -> None:

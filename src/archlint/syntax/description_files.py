@@ -1,0 +1,71 @@
+"""The files that a description of a robot (URDF, xacro) names, wherever it is read: what it includes, and meshes.
+
+xacro is not run: what stands in a macro or a condition may not be read, and a path with ``${…}`` is not known.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from archlint.syntax.facts import Span
+from archlint.workspace.comments import replace_xml_comments
+
+_TAG = re.compile(
+    r"<(/?)([A-Za-z][\w:.-]*)((?:\s+[\w:.-]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*)\s*(/?)>",
+)
+_FILE = re.compile(r"(?<![\w:.-])filename\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+_OPTIONAL = re.compile(r"(?<![\w:.-])optional\s*=")
+_PERHAPS = frozenset({"xacro:if", "xacro:unless", "xacro:macro"})
+_INCLUDE = "xacro:include"
+_MESH = "mesh"
+_FIND = re.compile(r"\$\(find ([\w.-]+)\)(/.*)")
+_PACKAGE_URL = re.compile(r"package://([\w.-]+)(/.*)")
+_NOT_KNOWN = re.compile(r"[$*?\[{]")
+
+
+@dataclass(frozen=True)
+class NamedFile:
+    """A file by its path in the share folder of a package, or (of no package) beside the description."""
+
+    package: str | None
+    path: str
+    span: Span
+    included: bool
+    """Whether the description goes on in it; otherwise it is a mesh."""
+
+
+def files_named(text: str) -> Iterator[NamedFile]:
+    """The files that a description names for certain.  Never raises."""
+    if _INCLUDE not in text and "package://" not in text:
+        return
+    perhaps = 0
+    text = replace_xml_comments(text, _blank)
+    for match in _TAG.finditer(text):
+        closing, tag, attributes, is_empty = match.groups()
+        if tag in _PERHAPS and not is_empty:
+            perhaps += -1 if closing else 1
+        elif not perhaps and not closing and tag in (_INCLUDE, _MESH) and not _OPTIONAL.search(attributes):
+            named = _FILE.search(text, match.start(), match.end())
+            if named is not None:
+                yield from _named(text, named, tag == _INCLUDE)
+
+
+def _blank(comment: str) -> str:
+    return re.sub(r"[^\n]", " ", comment)
+
+
+def _named(text: str, match: re.Match[str], included: bool) -> Iterator[NamedFile]:
+    group = 1 if match[1] is not None else 2
+    in_package = (_FIND if included else _PACKAGE_URL).fullmatch(match[group])
+    path = match[group] if in_package is None else in_package[2]
+    if _NOT_KNOWN.search(path) or not path or (in_package is None and (not included or path.startswith("/"))):
+        return
+    line = text.count("\n", 0, match.start()) + 1
+    column = match.start() - text.rfind("\n", 0, match.start())
+    span = (line, column, line, column + match.end() - match.start())
+    yield NamedFile(None if in_package is None else in_package[1], path, span, included)
+
+
+__all__ = ["NamedFile", "files_named"]
