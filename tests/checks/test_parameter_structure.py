@@ -20,6 +20,7 @@ BAD = {
         "there is no 'ros__parameters' above 'rate'",
         "write 'ros__parameters:' below the name",
     ),
+    "- topic_name: clock\n  lazy: true": (1, "this file is a list", "hand the path over in the parameter"),
     "rate: 1.0": (1, "there is no 'ros__parameters' above 'rate'", "write '/**:' above the parameters"),
     "talker:\n  ros_parameters:\n    rate: 1.0": (2, "'ros_parameters' is not 'ros__parameters'", "two underscores"),
     "talker:\n  ros__parameter:\n    a:\n      b: 1": (2, "'ros__parameter' is not 'ros__parameters'", "write"),

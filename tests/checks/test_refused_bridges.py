@@ -85,3 +85,82 @@ def test_foxy_wrote_types_otherwise(findings):
 def test_the_table_has_each_type_of_ros_as_it_is_written():
     assert pairs()["nav_msgs/msg/Odometry"] == {"Odometry", "OdometryWithCovariance"}
     assert all(name.count("/") == 2 for name in pairs())
+
+
+FILE = """\
+- ros_topic_name: scan
+  gz_topic_name: /lidar
+  ros_type_name: {ros}
+  gz_type_name: {gz}
+{rest}
+- topic_name: clock
+  ros_type_name: rosgraph_msgs/msg/Clock
+  gz_type_name: gz.msgs.Clock
+"""
+BRIDGE = (
+    '<node pkg="ros_gz_bridge" exec="parameter_bridge">'
+    '<param name="config_file" value="$(find-pkg-share robot)/config/bridge.yaml"/></node>'
+)
+
+
+def _told_of_file(findings, ros: str, gz: str, rest: str = ""):
+    return findings("LCH013", BRIDGE, **{"config/bridge.yaml": FILE.format(ros=ros, gz=gz, rest=rest)})
+
+
+@pytest.mark.parametrize(
+    ("ros", "gz", "rest", "line", "wrong", "help"),
+    [
+        (
+            "sensor_msgs/msg/LaserScan",
+            "gz.msgs.LaserScan",
+            "  direction: GZ_TO_ROSS",
+            5,
+            "'GZ_TO_ROSS' is no direction",
+            "write GZ_TO_ROS",
+        ),
+        ("sensor_msgs/msg/LaserScan", "''", "", 1, "it has no gz_type_name", "add gz_type_name to this entry"),
+        (
+            "sensor_msgs/msg/LaserScan",
+            "gz.msgs.Image",
+            "",
+            4,
+            "the bridge does not know 'sensor_msgs/msg/LaserScan' and 'Image' as each other",
+            "write 'gz_type_name: gz.msgs.LaserScan'",
+        ),
+        (
+            "sensor_msgs/LaserScan",
+            "ignition.msgs.LaserScan",
+            "",
+            3,
+            "the bridge knows no type 'sensor_msgs/LaserScan'",
+            "write 'ros_type_name: sensor_msgs/msg/LaserScan'",
+        ),
+    ],
+)
+def test_an_entry_that_bridges_nothing(findings, ros, gz, rest, line, wrong, help):
+    (told,) = _told_of_file(findings, ros, gz, rest)
+    assert (told.place.file, told.place.line) == ("config/bridge.yaml", line)
+    assert told.message == f"'scan' is no bridge, for {wrong}: nothing is bridged there"
+    assert told.help == help
+
+
+@pytest.mark.parametrize(
+    ("ros", "gz", "rest"),
+    [
+        ("sensor_msgs/msg/LaserScan", "gz.msgs.LaserScan", ""),
+        ("sensor_msgs/msg/LaserScan", "gz.msgs.LaserScan", "  direction: BIDIRECTIONAL\n  lazy: true"),
+        ("my_msgs/msg/Scan", "gz.msgs.Scan", ""),  # a bridge of the team's own may know them
+    ],
+)
+def test_an_entry_that_is_a_bridge(findings, ros, gz, rest):
+    assert _told_of_file(findings, ros, gz, rest) == []
+
+
+def test_entries_of_the_bridge_of_ignition_and_of_services(findings):
+    text = (
+        "- ros_topic_name: a\n  ros_type_name: std_msgs/msg/Bool\n"
+        "  ign_type_name: ignition.msgs.Boolean\n  direction: IGN_TO_ROS\n"
+        "- service_name: b\n  ros_type_name: ros_gz_interfaces/srv/ControlWorld\n"
+        "- c\n"
+    )
+    assert findings("LCH013", BRIDGE, **{"config/bridge.yaml": text}) == []

@@ -154,6 +154,8 @@ def _said(wrong: Misplaced) -> str:
             return f"'{wrong.key}' stands beside '{ROOT}', not below it"
         case Misplacement.TWICE:
             return f"there is another '{ROOT}' above this one, so the parameters below it are '{ROOT}.{wrong.other}' …"
+        case Misplacement.LIST:
+            return "this file is a list, and a parameter file begins with the names of nodes"
     return f"there is no '{ROOT}' above '{wrong.key}'"
 
 
@@ -172,6 +174,8 @@ def _help(system: System, key: MisplacedIn) -> str:
             return f"write '{ROOT}: {{}}' for a node without parameters"
         case Misplacement.BESIDE:
             return f"indent '{wrong.key}' so that it stands below '{ROOT}'"
+        case Misplacement.LIST:
+            return "hand the path over in the parameter by which the program reads it ('config_file' of a bridge)"
         case Misplacement.TWICE:
             return "move this section out, so that the name of its node starts in the first column"
     return _missing(system, key.file, wrong)

@@ -10,6 +10,7 @@ from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.launch_files.refused_bridge_files import refused_entries
 from archlint.launch_files.refused_bridges import refused_bridges
 
 if TYPE_CHECKING:
@@ -18,16 +19,16 @@ if TYPE_CHECKING:
 
 @rule("LCH013", scope=Scope.LAUNCH_FILE)
 def refused_bridge(system: System, options: Options) -> Iterator[Finding]:
-    """Arguments of ``parameter_bridge`` that bridge nothing, or with which it ends."""
+    """Arguments of ``parameter_bridge``, and entries of its file, that bridge nothing, or with which it ends."""
     if is_from_before_galactic(system.workspace):
         return
-    for row in refused_bridges(system):
+    for row in (*refused_bridges(system), *refused_entries(system)):
         effect = "the bridge prints how it is used, and ends" if row.ends else "nothing is bridged there"
         yield finding(
             "LCH013",
             row.place,
             f"'{row.argument}' is no bridge, for {row.wrong}: {effect}",
-            help=f"write '{row.instead}'" if row.instead else "write topic@type/of/ROS[type.of.Gazebo",
+            help=row.help or (f"write '{row.instead}'" if row.instead else "write topic@type/of/ROS[type.of.Gazebo"),
             identity=(row.argument,),
             group=(row.place.file, row.argument),
         )

@@ -21,11 +21,13 @@ FILE = "config_file"
 
 
 def bridged_in_file(run: LaunchRun, started: Started) -> tuple[Bridged, ...] | None:
-    """What the file of a bridge says; None for one that reads none, and where the file is not known."""
+    """What the file of a bridge says, which is noted; None for one that reads none, and where the file is not known."""
     if started.package.text not in _PACKAGES or started.executable.text not in _PROGRAMS:
         return None
     path = _path(started)
-    text = None if path is None else run.paths.text(run.resolve(FileKind.OTHER, Known(path), started.place))
+    reference = None if path is None else run.resolve(FileKind.OTHER, Known(path), started.place)
+    started.bridge_file = None if reference is None else reference.source
+    text = None if reference is None else run.paths.text(reference)
     rows = None if text is None else read_bridges(text)
     return None if rows is None else tuple(Bridged(*row) for row in rows)
 

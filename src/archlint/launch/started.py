@@ -63,6 +63,8 @@ class Started:
     """The includes that lead to the file it is in, outermost first; for one that a helper makes, the helper's call."""
     bridged: tuple[Bridged, ...] | None = None
     """What the file says that a bridge reads; None where there is none, or it is not known."""
+    bridge_file: str | None = None
+    """That file, where it is in the workspace."""
     without_namespace: bool = False
     """Whether a timer or an event starts it, when the group around it has ended, and with it the group's namespace."""
     domain: str | None = None

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.ros.bridged_types import pairs
@@ -36,6 +36,8 @@ class RefusedBridge:
     instead: str = ""
     ends: bool = False
     """Whether the whole program ends, and not only this bridge is missing."""
+    help: str = ""
+    """What is to be done where nothing stands for the argument as a whole."""
 
 
 def refused_bridges(system: System) -> Iterator[RefusedBridge]:
@@ -97,4 +99,21 @@ def _of_no_pair(place: Place, word: str, ros: str, name: str) -> RefusedBridge |
     return RefusedBridge(place, word, wrong, re.sub(rf"\.{name}\b", f".{right}", word))
 
 
-__all__ = ["RefusedBridge", "refused_bridges"]
+def refused_pair(place: Place, ros: str, gz: str) -> RefusedBridge | None:
+    """Two types, each in a line of its own, that the bridge does not know as each other."""
+    of_gazebo = _OF_GAZEBO.fullmatch(gz)
+    plain = _WITHOUT_MSG.fullmatch(ros)
+    if plain is not None and of_gazebo is not None:
+        right = f"{plain['package']}/msg/{plain['name']}"
+        known = right in pairs()
+        return RefusedBridge(place, ros, f"the bridge knows no type '{ros}'", right) if known else None
+    if of_gazebo is None or not _OF_ROS.fullmatch(ros):
+        return None
+    refused = _of_no_pair(place, f"{ros}@{gz}", ros, of_gazebo["name"])
+    if refused is None:
+        return None
+    own, _, other = refused.instead.partition("@")
+    return replace(refused, instead=own if own != ros else other)
+
+
+__all__ = ["RefusedBridge", "refused_bridges", "refused_pair"]

@@ -36,11 +36,15 @@ def is_template(text: str) -> bool:
     return _TEMPLATE.search(text) is not None
 
 
+_OF_OTHERS = (Misplacement.MISSING, Misplacement.LIST)
+"""What a file for somebody else may have."""
+
+
 def misplaced_in_unloaded(workspace: WorkspaceIndex) -> Iterator[MisplacedIn]:
     """The first such key of each file: a value without ``ros__parameters`` above it may be for somebody else."""
     for file, facts in _unloaded(workspace):
         wrong = facts.misplaced
-        if wrong is not None and wrong.kind is not Misplacement.MISSING and _is_meant(wrong):
+        if wrong is not None and wrong.kind not in _OF_OTHERS and _is_meant(wrong):
             yield MisplacedIn(file, wrong, None, None)
 
 

@@ -5,9 +5,13 @@ Source: ros_gz_bridge, ``bridge_config.cpp``; an entry that it refuses is left o
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from archlint.syntax.safe_yaml import YamlError, YamlReader
+from archlint.syntax.facts import Span
+from archlint.syntax.safe_yaml import YamlError, YamlReader, span_of
+
+if TYPE_CHECKING:
+    import yaml
 
 _SIMULATORS = ("gz", "ign")
 _WAYS = {
@@ -38,6 +42,36 @@ def read_bridges(text: str) -> tuple[BridgedTopic, ...] | None:
     return tuple(topic for entry in entries if isinstance(entry, dict) and (topic := _topic(entry)) is not None)
 
 
+class BridgeEntry(NamedTuple):
+    """An entry of such a file, whatever it says: its texts by their keys, and where each stands."""
+
+    texts: dict[str, str]
+    spans: dict[str, Span]
+    span: Span
+
+
+def bridge_entries(text: str) -> list[BridgeEntry]:
+    """The entries of such a file that are maps; none where it cannot be read."""
+    import yaml
+
+    try:
+        root = YamlReader(text).root
+    except (YamlError, RecursionError):
+        return []
+    if not isinstance(root, yaml.SequenceNode):
+        return []
+    return [_entry(node) for node in root.value if isinstance(node, yaml.MappingNode)]
+
+
+def _entry(node: yaml.MappingNode) -> BridgeEntry:
+    import yaml
+
+    rows = [(str(key.value), key, value) for key, value in node.value]
+    texts = {name: str(value.value) if isinstance(value, yaml.ScalarNode) else "" for name, _, value in rows}
+    spans = {name: (*span_of(key)[:2], *span_of(value)[2:]) for name, key, value in rows}
+    return BridgeEntry(texts, spans, span_of(node.value[0][0]) if node.value else span_of(node))
+
+
 def _is_other(entry: dict[str, Any]) -> bool:
     return not any(key == "topic_name" or key.endswith("_topic_name") for key in entry)
 
@@ -58,4 +92,4 @@ def _text(entry: dict[str, Any], key: str) -> str:
     return value if isinstance(value, str) else ""
 
 
-__all__ = ["BridgedTopic", "read_bridges"]
+__all__ = ["BridgeEntry", "BridgedTopic", "bridge_entries", "read_bridges"]

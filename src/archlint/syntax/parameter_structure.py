@@ -36,6 +36,8 @@ class Misplacement(StringEnum):
     """A value beside ``ros__parameters``."""
     MISSING = "missing"
     """A value with no ``ros__parameters`` above it."""
+    LIST = "list"
+    """A list at the top, where the names of nodes have to be."""
     TWICE = "twice"
     """``ros__parameters`` below itself: rcl takes it for a part of the parameters' names."""
 
@@ -59,6 +61,12 @@ class Misplaced:
 
 def first_misplaced(root: yaml.Node) -> Misplaced | None:
     """The first key of a document that is not where it has to be.  Its maps must be known not to be without end."""
+    import yaml
+
+    if isinstance(root, yaml.SequenceNode):
+        line = root.start_mark.line + 1
+        column = root.start_mark.column + 1
+        return Misplaced(Misplacement.LIST, "", (line, column, line, column + 1))
     return next(_misplaced(root, ()), None)
 
 
