@@ -417,7 +417,8 @@ def test_an_empty_file_is_no_program(findings, text: str, hint: str, help: str):
 
 def test_a_program_in_a_folder_below_is_not_found_by_launch(findings):
     cmake = "project(robot)\ninstall(DIRECTORY scripts DESTINATION lib/robot)\n"
-    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "scripts/drive.py": TALKER}
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": ""}
+    files["scripts/drive.py"] = TALKER + "\nmain()\n"
     (found,) = findings("LCH001", node(exec="drive.py"), **files)
     assert found.message.endswith("'drive.py': it is installed as lib/robot/scripts")
     assert found.help == "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)"
@@ -505,3 +506,34 @@ def test_a_node_action_that_nothing_adds(findings, package, executable, message)
     code = UNADDED.format(package=package, executable=executable)
     told = findings("LCH001", **{"launch/py.launch.py": code})
     assert [(finding.message, finding.severity) for finding in told] == ([(message, Severity.INFO)] if message else [])
+
+
+DEFINES = """\
+#!/usr/bin/env python3
+from rclpy.node import Node
+RATE = 5
+
+
+class Hand(Node):
+    def __init__(self):
+        super().__init__('hand')
+"""
+
+
+@pytest.mark.parametrize(
+    ("script", "found"),
+    [
+        (DEFINES, 1),
+        (DEFINES + "\n\ndef main():\n    Hand()\n", 1),  # which nothing calls
+        (DEFINES + "\n\ndef main():\n    Hand()\n\n\nmain()\n", 0),
+        (DEFINES + "\n\nif __name__ == '__main__':\n    Hand()\n", 0),
+        (DEFINES + "\n\nhand = Hand()\n", 0),
+        (DEFINES.replace("(Node)", ""), 0),
+    ],
+)
+def test_a_script_that_makes_no_node_of_its_class(findings, script, found):
+    files = {"CMakeLists.txt": "project(robot)\n" + SCRIPTS, "package.xml": CMAKE, "setup.py": ""}
+    told = findings("LCH001", node(exec="drive.py"), **files, **{"scripts/drive.py": script})
+    assert [finding.message for finding in told] == [
+        "'drive.py' of package 'robot' ends at once: scripts/drive.py defines Hand, and makes none"
+    ] * found

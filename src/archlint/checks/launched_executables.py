@@ -17,7 +17,7 @@ from archlint.launch.kinds import StartedKind
 from archlint.launch_files.shown_files import is_shown_only
 from archlint.launch_files.unadded_programs import unadded_programs
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
-from archlint.packaging.entry_points import is_empty, starts_nothing
+from archlint.packaging.entry_points import is_empty, only_defines_node, starts_nothing
 from archlint.ros.released_programs import launch_file_instead, programs_instead, programs_of
 from archlint.suggestions import did_you_mean, listed, nearest
 
@@ -58,6 +58,7 @@ def _of_program(system: System, workspace: WorkspaceIndex, options: Options, sta
     package = workspace.packages.get(installs.package)
     if entry is not None and not (is_ignored_by_cmake(package, entry) and not _is_named_by_cmake(installs, name)):
         yield from _not_in_sight(installs, started, name)
+        yield from _idle(workspace, started, entry)
         return
     if posixpath.isabs(name):
         return  # launch_ros starts that file, and asks the package only for its folder: a Python of its own, say
@@ -93,6 +94,21 @@ def _not_in_sight(installs: Installs, started: Started, name: str) -> Iterator[F
             related=[Related(built.place, "it is built here")],
             identity=(installs.package, name),
             group=(installs.package, _BUILT),
+        )
+
+
+def _idle(workspace: WorkspaceIndex, started: Started, entry: Executable) -> Iterator[Finding]:
+    """The finding for a script that defines a node and never makes one."""
+    node = None if entry.script is None else only_defines_node(workspace, entry.script)
+    if node is not None:
+        yield finding(
+            "LCH001",
+            started.places.get("executable", started.place),
+            f"'{entry.name}' of package '{entry.package}' ends at once: {entry.script} defines {node}, and makes none",
+            help="give the script a main() that makes the node and spins it, and call that",
+            related=[Related(entry.place, "it is installed as a program here")],
+            identity=(entry.package, entry.name),
+            group=(entry.package, entry.name),
         )
 
 

@@ -149,6 +149,24 @@ def starts_nothing(workspace: WorkspaceIndex, file: str) -> bool:
     return next(calls, None) is None and all(call.func.variable not in own for call in calls_in(body))
 
 
+def only_defines_node(workspace: WorkspaceIndex, file: str) -> str | None:
+    """The class of a node, where a script defines it and calls nothing at all: a process of it ends at once."""
+    file_facts = workspace.facts_at(file)
+    if file_facts is None or file_facts.problems or not all(map(_only_defines, file_facts.body)):
+        return None
+    classes = (statement for statement in file_facts.body if isinstance(statement, facts.Class))
+    return next((cls.name for cls in classes if any(base.value.last_name.endswith("Node") for base in cls.bases)), None)
+
+
+def _only_defines(statement: facts.Stmt) -> bool:
+    match statement:
+        case facts.Import() | facts.ImportFrom() | facts.Function() | facts.Class():
+            return True
+        case facts.Assign() | facts.Annotated() | facts.Expression():
+            return next(calls_in([statement]), None) is None
+    return False
+
+
 def _functions(file_facts: facts.Facts) -> tuple[str, ...] | None:
     """The functions that a module defines, or the ``main`` that it imports: no other function of another module is a
     program.  None where a star import may bring one."""
