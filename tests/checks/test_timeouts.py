@@ -328,6 +328,46 @@ def test_a_start_of_which_a_comment_says_that_it_waits(judge: Judge, doc: str, a
     assert found.severity is severity
 
 
+ARMS = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import String
+    from std_srvs.srv import Trigger
+
+
+    class Arm:
+        def __init__(self, node, name):
+            self.client = node.create_client(Trigger, name)
+            self.client.wait_for_service()  # here
+
+
+    class Mover(Node):
+        def __init__(self):
+            {doc}
+            super().__init__('mover')
+            self.create_subscription(String, 'words', print, 10)
+            self.arm = Arm(self, 'arm')
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Mover())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("doc", "severity"),
+    [("'Waits for all arms before returning.'", Severity.INFO), ("'Make a mover.'", Severity.WARNING)],
+)
+def test_a_constructor_that_says_so_has_what_it_makes_wait(judge: Judge, doc: str, severity: Severity):
+    [finding] = judge("TMO001", ARMS.format(doc=doc))
+    assert finding.severity is severity
+
+
 def test_a_script_may_wait_for_what_it_needs(judge: Judge):
     [script_waits] = judge("TMO001", script("client.wait_for_service()  # here"))
     assert script_waits.severity is Severity.INFO

@@ -30,15 +30,18 @@ def is_announced_start(system: System, call: ApiCall) -> bool:
 
 
 def is_documented_start(system: System, call: ApiCall) -> bool:
-    """Whether a comment above a wait, or the docstring of the function around it, says that a program waits as it
-    starts: that is the order in which the author wants things to come up."""
-    function = source_code(system).function_at(call.place)
+    """Whether a comment above a wait, or the docstring of the function around it or of a constructor that leads there,
+    says that a program waits as it starts: that is the order in which the author wants things to come up."""
+    code = source_code(system)
+    function = code.function_at(call.place)
     text = None if system.workspace is None else system.workspace.tree.text(call.file)
     if call.context.role not in (Role.INIT, Role.MAIN, Role.MODULE) or function is None or text is None:
         return False
     above = text.splitlines()[function.span[0] : call.place.line - 1]
     comments = (line.partition("#")[2] for line in above if "#" in line)
-    return any(map(_TELLS.search, (function.docstring, *comments)))
+    callers = (code.function_at(frame.place) for frame in call.chain)
+    constructors = (caller.docstring for caller in callers if caller is not None and caller.name == "__init__")
+    return any(map(_TELLS.search, (function.docstring, *constructors, *comments)))
 
 
 _TELLS = re.compile(
