@@ -882,6 +882,55 @@ def test_the_pauses_between_a_few_attempts(run: Run, loop: str, left: str, count
     assert codes(run(source(TIMER, timer(body) + "\ndef load(self):\n    open_bus()\n"))) == expected
 
 
+CAMERA = """
+    for attempt in range({rounds}):
+        camera = open_camera(attempt)
+        {check}
+        time.sleep({pause})
+"""
+
+
+@pytest.mark.parametrize(
+    ("rounds", "check", "pause", "expected"),
+    [
+        ("3", "if camera.isOpened():\n            break", "0.2", []),
+        ("3", "if camera.isOpened():\n            return", "0.2", []),
+        ("20", "if camera.isOpened():\n            break", "0.2", ["EXE003"]),  # four seconds in all
+        ("3", "if self.stopped:\n            break", "0.2", ["EXE003"]),  # the pauses are what it is for
+        ("3", "if camera.isOpened():\n            camera.grab()", "0.2", ["EXE003"]),  # in each round
+    ],
+)
+def test_the_pauses_until_something_is_there(run: Run, rounds: str, check: str, pause: str, expected: list[str]):
+    body = CAMERA.format(rounds=rounds, check=check, pause=pause).strip()
+    assert codes(run(source("self.stopped = False\n" + TIMER, timer(body)))) == expected
+
+
+TWO_STEPS = """
+def begin(self, message):
+    if not self.client.wait_for_service(timeout_sec={first}):
+        return
+    self.client.call_async(Trigger.Request()).add_done_callback(self.go_on)
+
+def go_on(self, future):
+    if not self.other.wait_for_service(timeout_sec={then}):
+        return
+    self.other.call_async(Trigger.Request())
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "then", "lines"),
+    [("2.0", "2.0", []), ("2.0", "3.0", [1]), ("3.0", "2.0", [0])],
+)
+def test_a_short_look_for_a_server_that_is_there_as_a_rule(run: Run, first: str, then: str, lines: list[int]):
+    """Each is over at once where the server is there, and no timer repeats it."""
+    create = "self.client = self.create_client(Trigger, 'a')\nself.other = self.create_client(Trigger, 'b')\n"
+    create += "self.create_subscription(Empty, 'go', self.begin, 10)\n" + TIMER.replace(ALONE, "")
+    text = source(create, TWO_STEPS.format(first=first, then=then))
+    waits = [number for number, line in enumerate(text.splitlines(), 1) if "wait_for_service(timeout" in line]
+    assert [finding.place.line for finding in run(text) if finding.code == "EXE003"] == [waits[row] for row in lines]
+
+
 @pytest.mark.parametrize(
     ("start", "again", "expected"),
     [

@@ -123,6 +123,17 @@ def test_another_function_of_the_file_may_be_another():
     assert shown() == [("trucks/trucks/truck_11.py", 21, ["trucks/trucks/truck_12.py"])]
 
 
+@pytest.mark.parametrize(("lines", "copies"), [(45, [["trucks/trucks/truck_12.py"]]), (5, [[], []])])
+def test_a_long_copy_may_differ_further_down(lines: int, copies: list[list[str]]):
+    """What somebody has changed below the line says nothing of it; a short beginning may be alike by chance."""
+    long = "".join(f"        self.seen_{number} = message.data\n" for number in range(lines))
+    text = TRUCK.replace("        if message.data ==", long + "        if message.data ==")
+    write("trucks/trucks/truck_11.py", text)
+    below = "time.sleep(6)\n        self.get_logger().warn('over')\n"
+    write("trucks/trucks/truck_12.py", text.replace("time.sleep(3)\n", below))
+    assert [row[2] for row in shown()] == copies
+
+
 @pytest.mark.parametrize(
     ("path", "change"),
     [

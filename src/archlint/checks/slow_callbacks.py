@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import posixpath
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -16,6 +14,7 @@ from archlint.analysis.order import is_called_in_branches
 from archlint.analysis.reach import creations_of, judged_calls, one_for_each_place
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.added_waits import added_waits
+from archlint.checks.brief_waits import are_brief
 from archlint.checks.callback_findings import finding_in_callback, told_at
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, rule
@@ -34,7 +33,7 @@ from archlint.execution.long_stays import LongStay, long_stays, period_of
 from archlint.execution.loop_times import in_loops
 from archlint.execution.own_timers import ends_its_timer_after
 from archlint.execution.request_paces import is_pause_before_the_next
-from archlint.execution.retries import gives_up_loudly, retries_after_errors
+from archlint.execution.retries import gives_up_loudly, retries_after_errors, tries_until_it_works
 from archlint.execution.sleeps import Stay
 from archlint.execution.spins import is_spin_call
 from archlint.execution.staged import is_between_moves, speaks_beside
@@ -96,7 +95,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         sorted(rows.values(), key=longest_first)
         for rows in functions.values()
         if not all(_is_left_alone(system, program, call, stay) for program, call, stay in rows.values())
-        if not all(_is_brief_in_a_test(code, row) for row in rows.values())
+        if not are_brief(system, list(rows.values()), quiet=quiet)
         if not all(_delays_nothing(code, row) for row in rows.values())
         or (alone and not (lesson and all(_is_occasional(code, row) for row in rows.values())))
     ]
@@ -123,20 +122,6 @@ def _is_in_a_copied_library(system: System, call: ApiCall) -> bool:
     workspace, files = system.workspace, [*(frame.place.file for frame in call.chain), call.file]
     ways = {(importer, file) for importer, file in pairwise(files) if file != importer}
     return workspace is not None and any(is_imported_by_its_own_name(workspace, *way) for way in sorted(ways))
-
-
-_BRIEF = 0.2
-"""Seconds of sleep that say nothing in a program which somebody watches while it tries something out."""
-_OF_A_TEST = re.compile(r"(?:^|[\W_\d])[Tt]ests?(?![a-z])|[a-z]Tests?(?![a-z])")
-"""How a word of a file's name says that it is a test, in snake case or in camel case."""
-
-
-def _is_brief_in_a_test(code: SourceCode, row: LongStay) -> bool:
-    _, call, stay = row
-    brief = (
-        stay.kind == "sleep" and stay.seconds is not None and in_loops(code, call, stay, with_callers=True) <= _BRIEF
-    )
-    return brief and _OF_A_TEST.search(posixpath.basename(call.file)) is not None
 
 
 def _place_of(system: System, row: LongStay) -> str:
@@ -203,8 +188,11 @@ def _is_occasional(code: SourceCode, row: LongStay) -> bool:
 
 def _is_pause_of_retry(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     """Whether a short sleep comes before the next of some attempts, one of which is to work."""
-    is_short = stay.kind == "sleep" and (stay.seconds or math.inf) <= PAUSE
-    return is_short and (retries_after_errors(code, call) or gives_up_loudly(code, call, stay))
+    if stay.kind != "sleep" or (stay.seconds or math.inf) > PAUSE:
+        return False
+    if retries_after_errors(code, call) or gives_up_loudly(code, call, stay):
+        return True
+    return tries_until_it_works(code, call) and in_loops(code, call, stay, with_callers=True) <= PAUSE
 
 
 _RUNS_AGAIN = frozenset({Role.SUBSCRIPTION, Role.TIMER, Role.EXECUTE, Role.SERVICE})

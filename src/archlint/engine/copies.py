@@ -132,10 +132,20 @@ def _by_code(
     times: Counter[tuple[object, ...]] = Counter()
     for finding in findings:
         text, begin = code_around(finding.place) or ("", 0)
-        code = (_NUMBER.sub("0", text), finding.place.line - begin) if text else (finding.place.file, 0)
+        line = finding.place.line - begin
+        code = (_up_to(_NUMBER.sub("0", text), line), line) if text else (finding.place.file, 0)
         times[code, finding.place.file] += 1
         rows.setdefault((code, times[code, finding.place.file]), []).append(finding)
     return rows.values()
+
+
+_LONG = 40
+"""Lines that nobody writes twice: what is the same for so long is copied, whatever was changed further down."""
+
+
+def _up_to(text: str, line: int) -> str:
+    """The text of a function as far as it says that a place in it is the same: up to its line, if that is far down."""
+    return "\n".join(text.splitlines()[: line + 1]) if line >= _LONG else text
 
 
 def _of_copied_code(row: Sequence[Finding]) -> Finding:

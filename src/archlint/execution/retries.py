@@ -61,7 +61,31 @@ def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
     loop = code.loop(call)
     if loop is None:
         return False
-    read = {
+    read = _made_by_calls(loop)
+    graph = graph_of(loop.body)
+    return any(
+        not read.isdisjoint(names_in(statement.value))
+        and any(not read.isdisjoint(names_in(edge.test)) for edge in graph.outcomes(graph.of(statement)))
+        for statement, _ in graph.returns
+    )
+
+
+def tries_until_it_works(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a ``for`` around a call makes some attempts, and ends as soon as what it has just made is as it should
+    be: ``camera = open_camera()``, and then ``if camera.isOpened(): break``."""
+    loop = code.loop(call)
+    if loop is None or loop.tests:
+        return False
+    results = _made_by_calls(loop)
+    return any(
+        not results.isdisjoint(names_in(check.test)) and any(map(_leaves, [*check.body, *check.orelse]))
+        for check in statements_of(loop.body, facts.If)
+    )
+
+
+def _made_by_calls(loop: Loop) -> set[str]:
+    """The variables that a loop sets to what a call returns."""
+    return {
         name
         for assignment in statements_of(loop.body, facts.Assign)
         if any(True for _ in calls_in(assignment.value))
@@ -69,12 +93,11 @@ def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
         if isinstance(target, (facts.Name, facts.Sequence))
         for name in names_in(target)
     }
-    graph = graph_of(loop.body)
-    return any(
-        not read.isdisjoint(names_in(statement.value))
-        and any(not read.isdisjoint(names_in(edge.test)) for edge in graph.outcomes(graph.of(statement)))
-        for statement, _ in graph.returns
-    )
+
+
+def _leaves(statement: facts.Stmt) -> bool:
+    is_break = isinstance(statement, facts.Jump) and statement.kind == "break"
+    return is_break or isinstance(statement, facts.Return)
 
 
 def around_future(code: SourceCode, call: ApiCall) -> bool:

@@ -1,0 +1,63 @@
+"""EXE003: waits of a callback that are too brief to be worth a word."""
+
+from __future__ import annotations
+
+import math
+import posixpath
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.source_code import SourceCode, source_code
+from archlint.checks.wait_words import made_here
+from archlint.execution.long_stays import LongStay, period_of
+from archlint.execution.loop_times import in_loops
+
+if TYPE_CHECKING:
+    from archlint.execution.sleeps import Stay
+    from archlint.model import ApiCall
+    from archlint.systems.model import System
+
+
+def are_brief(system: System, rows: Sequence[LongStay], *, quiet: bool) -> bool:
+    """Whether the waits of a function are sleeps in a trial, or ``quiet`` and short looks for servers."""
+    code = source_code(system)
+    return all(_is_in_a_test(code, row) for row in rows) or (quiet and _looks_briefly(system, rows))
+
+
+_BRIEF = 0.2
+"""Seconds of sleep that say nothing in a program which somebody watches while it tries something out."""
+_OF_A_TEST = re.compile(r"(?:^|[\W_\d])[Tt]ests?(?![a-z])|[a-z]Tests?(?![a-z])")
+"""How a word of a file's name says that it is a test, in snake case or in camel case."""
+
+
+def _is_in_a_test(code: SourceCode, row: LongStay) -> bool:
+    _, call, stay = row
+    brief = (
+        stay.kind == "sleep" and stay.seconds is not None and in_loops(code, call, stay, with_callers=True) <= _BRIEF
+    )
+    return brief and _OF_A_TEST.search(posixpath.basename(call.file)) is not None
+
+
+_LOOK = 2.0
+"""Seconds for which a callback may look for servers that are there as a rule."""
+
+
+def _looks_briefly(system: System, rows: Sequence[LongStay]) -> bool:
+    """Whether a function only looks for servers, for a short time in all, and seldom: it returns at once where they are
+    there, and a timer that does so without a break would keep the thread for as long as they are not."""
+    return sum(stay.seconds or math.inf for _, _, stay in rows) <= _LOOK and all(
+        stay.kind == "discovery"
+        and not call.looped
+        and not made_here(call)
+        and not _fills_its_period(system, call, stay)
+        for _, call, stay in rows
+    )
+
+
+def _fills_its_period(system: System, call: ApiCall, stay: Stay) -> bool:
+    period = period_of(system, call)
+    return period is not None and (stay.seconds or math.inf) >= period
+
+
+__all__ = ["are_brief"]
