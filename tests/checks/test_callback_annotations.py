@@ -116,3 +116,34 @@ def test_a_type_that_is_nowhere_defined_is_told_at_its_import(judge: Judge):
     source = source.replace("from std_srvs.srv", "from geometry_msgs.msg import Quote\nfrom std_srvs.srv")
     judge("MSG004", source)
     judge("MSG002", source.replace("import Quote", "import Quote  # here"))
+
+
+PUBLISHES = """
+from geometry_msgs.msg import Twist, TwistStamped
+from rclpy.node import Node
+from sensor_msgs.msg import Image
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.create_publisher({type}, 'in', 10)
+"""
+
+
+@pytest.mark.parametrize(
+    ("type", "help"),
+    [
+        ("TwistStamped", "annotate it as TwistStamped"),
+        ("Twist", "give the subscription Twist, which is published there"),
+    ],
+)
+def test_what_is_published_says_which_of_the_two_is_wrong(judge: Judge, type: str, help: str):
+    source = NODE.format(message=": Twist):  # here", request=", response):")
+    [finding] = judge("MSG004", source, PUBLISHES.format(type=type))
+    assert finding.help == help
+
+
+def test_where_a_third_type_is_published_neither_is_right(judge: Judge):
+    """TOP001 says what the topic lacks; nobody knows what the callback is for."""
+    assert not judge("MSG004", NODE.format(message=": Twist):", request=", response):"), PUBLISHES.format(type="Image"))

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.analysis.reach import node_name
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
@@ -41,9 +42,10 @@ class _Annotated:
         return message.interface != self.type or message.section_name not in ("", self.section_name)
 
 
-@rule("MSG004", scope=Scope.CODE, by_program=True)
+@rule("MSG004", scope=Scope.CODE)
 def callback_annotation(system: System, options: Options) -> Iterator[Finding]:
-    """Annotations that name another type than any subscription or service passes."""
+    """Annotations that name another type than any subscription or service passes; where a topic's publishers send a
+    third one, neither is right, and the annotation is the least of it."""
     parameters: dict[Place, list[_Annotated | None]] = {}
     unknown = (interface for run in system.programs for interface in run.unknown_interfaces)
     nowhere = frozenset(f"{interface.package}/{interface.kind}/{interface.name}" for interface in unknown)
@@ -57,8 +59,26 @@ def callback_annotation(system: System, options: Options) -> Iterator[Finding]:
     for place in sorted(parameters):
         rows = [row for row in parameters[place] if row is not None and row.differs]
         # Of a type that is nowhere defined, MSG002 speaks: whoever removes the import mends the annotation, too.
-        if len(rows) == len(parameters[place]) and rows[0].message.interface not in nowhere:
-            yield _finding(system, rows[0])
+        if len(rows) < len(parameters[place]) or rows[0].message.interface in nowhere:
+            continue
+        sent = _types_sent(system).get(rows[0].creation.place, frozenset())
+        if not sent or not sent.isdisjoint((rows[0].type, rows[0].message.interface)):
+            yield _finding(system, rows[0], sent)
+
+
+@once
+def _types_sent(system: System) -> dict[Place, frozenset[str]]:
+    """The types that the topics of subscriptions are published with, where they are known for all publishers."""
+    sent: dict[Place, set[str | None]] = {}
+    for connection in system.topics.values():
+        types = {end.type for end in connection.providers}
+        for end in connection.users:
+            sent.setdefault(end.creation.place, set()).update(types)
+    return {
+        place: frozenset(name for name in types if name is not None)
+        for place, types in sent.items()
+        if None not in types
+    }
 
 
 def _annotated(message: AnnotatedMessage, callback: Callback, part: MessageClass) -> _Annotated | None:
@@ -69,17 +89,22 @@ def _annotated(message: AnnotatedMessage, callback: Callback, part: MessageClass
     return _Annotated(message, callback, creation, creation.type, part)
 
 
-def _finding(system: System, row: _Annotated) -> Finding:
+def _finding(system: System, row: _Annotated, sent: Set[str]) -> Finding:
+    """``sent`` are the types that are known to be published, which say what is wrong."""
     word, text = _CALLS[row.callback.role], row.creation.name.text
     by = f"its {word}" if text is None else f"the {word} of '{text}'"
     gets = _words(row.type, row.section_name)
     says = _words(row.message.interface, row.message.section_name)
+    meant = row.message.interface.rpartition("/")[2]
+    help = f"annotate it as {gets.rpartition('/')[2]} if the {word} is right, else give the {word} {meant}"
+    if sent:
+        published = f"give the {word} {meant}, which is published there"
+        help = f"annotate it as {gets.rpartition('/')[2]}" if row.type in sent else published
     return finding(
         "MSG004",
         row.message.place,
         f"'{row.message.name}' is annotated as {says}, but {by} passes {gets}",
-        help=f"annotate it as {gets.rpartition('/')[2]} if the {word} is right, else give the {word} "
-        f"{row.message.interface.rpartition('/')[2]}",
+        help=help,
         related=[Related(row.creation.place, f"{gets} comes from here")],
         node=node_name(system, row.callback.node),
         identity=(row.callback.name, row.message.name, says, gets),
