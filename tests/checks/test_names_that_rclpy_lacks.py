@@ -287,3 +287,24 @@ def test_a_client_that_is_made_for_an_action_lacks_what_an_action_client_has(jud
     judge("API002", NODE.format(call=call))  # API001 says to make an ActionClient
     judge("API001", NODE.format(call=call.replace("'count')", "'count')  # here")))
     judge("API002", NODE.format(call=f"{call}\n        self.count.call_sync(1)  # here"))
+
+
+@pytest.mark.parametrize("call", ["super().__init('robot')", "super()._init_('robot')", "super().init('robot')"])
+def test_a_misspelt_constructor_of_the_base(judge: Judge, call: str):
+    [finding] = judge(
+        "API002",
+        f"""
+        import rclpy
+        from rclpy.node import Node
+
+
+        class Robot(Node):
+            def __init__(self):
+                {call}  # here
+
+
+        rclpy.init()
+        rclpy.spin(Robot())
+        """,
+    )
+    assert finding.help == "use super().__init__(…)"

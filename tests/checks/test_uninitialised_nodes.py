@@ -60,10 +60,12 @@ def test_a_node_that_is_used_before_it_is_initialised(judge: Judge, source: str)
         robot("prepare(self)", "self.set_up()", bases="prepare.Base"),
         robot("rclpy.init()"),
         robot("super.__init__('robot')", "self.set_up()"),  # a TypeError right there: API001
+        robot("super().__init('robot')", "self.set_up()"),  # an AttributeError right there: API002
+        robot("super().init('robot')", "self.set_up()"),
     ],
     ids=[
         *("first", "by its class", "attributes before", "a mixin behind", "undecided", "foreign base", "no use"),
-        "super without parentheses",
+        *("super without parentheses", "a private name", "no underscores"),
     ],
 )
 def test_a_node_that_is_initialised_first(judge: Judge, source: str):

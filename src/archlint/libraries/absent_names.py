@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint import model, suggestions
 from archlint.libraries.api_signatures import attributes_of, distros, own_names_of
 from archlint.libraries.rclpy import names, refusals
+from archlint.syntax.misspelt_constructor import is_misspelt_call
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -128,7 +129,8 @@ def note_method(run: Run, path: str, receiver: Value, site: CallSite) -> None:
         return
     known = _known(owner)
     if known is not None and name not in known and refusals.is_of_rclpy(receiver):
-        _note(run, path, _instead_of_method(path), site)
+        misspelt = site.expression is not None and is_misspelt_call(site.expression)
+        _note(run, path, "super().__init__(…)" if misspelt else _instead_of_method(path), site)
 
 
 def _known(owner: str) -> frozenset[str] | None:
