@@ -33,8 +33,13 @@ def _stands_alone(system: System) -> bool:
     as PX4.  More packages make up a robot, and such a system has its names from elsewhere."""
     nodes = [node for node in system.nodes if not node.external and not node.test]
     written = (end for node in nodes for end in node.endpoints if (end.written or "").startswith("/"))
-    few = len({node.package for node in nodes}) <= _PACKAGES_OF_A_LESSON
-    return few and not any(is_foreign(system.workspace, end) for end in written)
+    packages = {node.package for node in nodes} | _with_programs(system.workspace)
+    return len(packages) <= _PACKAGES_OF_A_LESSON and not any(is_foreign(system.workspace, end) for end in written)
+
+
+def _with_programs(workspace: WorkspaceIndex | None) -> set[str | None]:
+    """The packages that install programs, be it that no node is seen in them."""
+    return set() if workspace is None else {name for name, row in workspace.installs.items() if row.executables}
 
 
 def _starts_each_once(workspace: WorkspaceIndex | None) -> bool:

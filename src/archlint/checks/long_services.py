@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -62,13 +63,23 @@ _Sleep = tuple["ApiCall", Stay]
 @rule("SRV008", scope=Scope.CODE, by_program=True, taste=True, pauses=False)
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler.  Those that pause for a
-    known while, for as long as the request says, or instead of work, count in a lesson and with ``pauses``."""
+    known while, for as long as the request says, or instead of work, and those whose name says that they wait, count in
+    a lesson and with ``pauses``."""
     pauses = options.flag("pauses") or is_lesson(system)
     yield from one_for_each_place(
         diagnostic
         for callback, diagnostic in long_handlers(system, options.distros)
-        if pauses or (diagnostic.severity is not Severity.INFO and not stands_for_work(source_code(system), callback))
+        if pauses or (diagnostic.severity is not Severity.INFO and not _is_meant(system, callback))
     )
+
+
+_WAITS = frozenset({"block", "blocking", "sync", "synchronous", "wait"})
+
+
+def _is_meant(system: System, callback: Callback) -> bool:
+    """Whether a handler only stands for work, or has a service whose name says that its callers wait."""
+    name = "" if callback.creation is None else callback.creation.name.text or ""
+    return not _WAITS.isdisjoint(re.split(r"[/_]", name.lower())) or stands_for_work(source_code(system), callback)
 
 
 def long_handlers(system: System, distros: Sequence[str]) -> Sequence[tuple[Callback, Finding]]:

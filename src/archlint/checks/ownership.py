@@ -15,6 +15,7 @@ from archlint.connections.arbitration import take_turns
 from archlint.connections.echoes import is_driven, repeats
 from archlint.connections.hand_overs import hand_over
 from archlint.connections.happenings import are_events, are_requests
+from archlint.connections.lessons import is_lesson
 from archlint.connections.owners import several_owners, some_coexist
 from archlint.connections.sharing import (
     are_of_one_class,
@@ -41,10 +42,11 @@ if TYPE_CHECKING:
 _EMPTY = "std_msgs/msg/Empty"
 
 
-@rule("OWN001", scope=Scope.SYSTEM)
+@rule("OWN001", scope=Scope.SYSTEM, texts=False)
 def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
     """Topics with publishers in several nodes that run together; what a launch file starts that is put aside runs no
-    more."""
+    more.  Texts that stand for themselves count in a lesson and with ``texts``."""
+    texts = options.flag("texts") or is_lesson(system)
     if system.launched is not None and is_disused(system.workspace, system.launched.file):
         return
     findings = [
@@ -52,7 +54,7 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
         for connection in system.topics.values()
         if not _is_shared(connection, options)
         for owners in several_owners(system, connection)
-        if not _is_meant(system, connection, owners)
+        if not _is_meant(system, connection, owners) and (texts or _is_obeyed(connection, owners))
     ]
     gravest: dict[tuple[str, ...], Severity] = {}
     for finding in findings:

@@ -39,8 +39,8 @@ _DOES = {
 
 @rule("TOP001", scope=Scope.SYSTEM, separate=False)
 def topic_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
-    """Topics that two endpoints use with different types; where nothing starts the two together and each has a partner,
-    in a lesson and with ``separate``."""
+    """Topics that two endpoints use with different types; in a lesson and with ``separate`` also where nothing starts
+    the two together and each has a partner, and where the same callback has another topic that works."""
     separate = options.flag("separate") or is_lesson(system)
     mismatches = _mismatches("TOP001", system, system.topics)
     yield from (mismatch for mismatch in mismatches if separate or mismatch.severity is not Severity.INFO)
@@ -265,7 +265,7 @@ def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, End
         ],
         node=last.node.name,
         identity=(connection.kind, connection.name, *sorted({end.type or "" for end in ends})),
-        group=(str(last.place), against[0].place.file, last.type or "", against[0].type or ""),
+        group=(str(last.place), last.type or "", "1" if against[0].kind == last.kind else "0"),
     )
 
 
@@ -275,10 +275,16 @@ def _has_partner(connection: Connection, end: Endpoint) -> bool:
     return any(other.type == end.type and other.node is not end.node for other in others)
 
 
-@folds("TOP001")
+@folds("TOP001", across_systems=True, common=2)
 def _of_one_line(findings: Sequence[Finding]) -> Finding:
-    """One finding for the topics of a loop: one line creates an end of each, and one file the other ends."""
-    first, *others = findings
+    """One finding for what one line creates, whatever other nodes and launch files it disagrees with, the other side
+    first; a line of a loop creates an end of several topics."""
+    first, *rest = sorted(findings, key=lambda diagnostic: diagnostic.group[2])
+    related = dict.fromkeys(row for other in (first, *rest) for row in other.related)
+    first = replace(first, related=tuple(related))
+    others = {other.identity[1]: other for other in rest if other.identity[1] != first.identity[1]}.values()
+    if not others:
+        return first
     more = "another topic" if len(others) == 1 else f"{len(others)} more topics"
     names = listed([f"'{other.identity[1]}'" for other in others])
     return replace(first, message=f"{first.message}; so it is with {more} of that line: {names}")

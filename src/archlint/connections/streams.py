@@ -24,22 +24,34 @@ _WITH_DATA = frozenset({Role.SUBSCRIPTION, Role.FILTER, Role.FEEDBACK})
 
 def sends_again_and_again(system: System, owner: Endpoint) -> bool:
     """Whether a publisher is not only used on an occasion, such as a request, a key or a condition: a timer, each
-    message or a loop publishes.  So it is where no call that publishes is seen."""
+    message or a loop publishes.  So it is where nothing says how it publishes."""
     calls = publishes_of(system, owner)
     places = frozenset(call.place for call in calls)
-    return not calls or any(_is_again_and_again(system, call, places) for call in calls)
+    return (
+        _is_handed_on(system, owner) if not calls else any(_is_again_and_again(system, call, places) for call in calls)
+    )
 
 
 def is_at_it_all_the_time(system: System, owner: Endpoint) -> bool:
     """Whether a timer, each message of data or a loop may publish, on a condition or not: no request or word makes it
-    do so.  So it is where no call that publishes is seen."""
+    do so.  So it is where nothing says how it publishes."""
     calls = publishes_of(system, owner)
-    return not calls or any(
-        call.looped
-        or call.context.role in (Role.TIMER, Role.METHOD)
-        or (call.context.role in _WITH_DATA and not _gets_words(system, call))
-        for call in calls
+    return (
+        _is_handed_on(system, owner)
+        if not calls
+        else any(
+            call.looped
+            or call.context.role in (Role.TIMER, Role.METHOD)
+            or (call.context.role in _WITH_DATA and not _gets_words(system, call))
+            for call in calls
+        )
     )
+
+
+def _is_handed_on(system: System, owner: Endpoint) -> bool:
+    """Whether the file that makes a publisher does not publish, but others do.  Where it does, and the run of the node
+    does not come to that, it happens on an occasion such as a request of a web server."""
+    return system.workspace is None or not system.workspace.code.mentions(owner.place.file, "publish")
 
 
 def waits_for_nobody(system: System, owner: Endpoint) -> bool:
@@ -58,8 +70,16 @@ def _waits_in_vain(system: System, owner: Endpoint, call: ApiCall) -> bool:
 
 
 def _gets_words(system: System, call: ApiCall) -> bool:
-    """Whether the callback that publishes is that of a text, a switch or a number: these come on an occasion."""
-    return any(end.type in WORDS for end in _heard(system, call))
+    """Whether the callback that publishes is that of a text, a switch, a number or a goal: each has an occasion."""
+    return any(end.type in WORDS or _is_goal(end.name) for end in _heard(system, call))
+
+
+_GOALS = frozenset({"goal", "goals", "request", "requests"})
+
+
+def _is_goal(topic: str | None) -> bool:
+    """Whether a topic's name says that each message asks for something new."""
+    return topic is not None and not _GOALS.isdisjoint(topic.rpartition("/")[2].lower().split("_"))
 
 
 def _heard(system: System, call: ApiCall) -> list[Endpoint]:
@@ -82,12 +102,14 @@ def _is_again_and_again(system: System, call: ApiCall, places: Collection[Place]
     code = source_code(system)
     role = call.context.role
     if role is Role.METHOD:
-        return not call.place.file.endswith(".py")  # in C++ not each caller is seen
+        return False  # who calls it, and when, is not seen
     if role is not Role.TIMER and (role not in _WITH_DATA or _gets_words(system, call)):
         return call.looped and not call.conditional
-    # A lambda has no statements.
+    # A lambda has no statements, and of C++ only what the call itself says is known.
     body, here = code.body(call), [place.span for place in places if place.file == call.place.file]
-    return (not body or _comes_to(body, here)) and all(_goes_on(code, frame) for frame in call.chain)
+    return (_comes_to(body, here) if body else not call.conditional) and all(
+        _goes_on(code, frame) for frame in call.chain
+    )
 
 
 def _goes_on(code: SourceCode, frame: Frame) -> bool:
