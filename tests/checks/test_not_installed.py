@@ -1169,3 +1169,11 @@ def test_a_source_that_is_not_there(findings, line, command, file):
 )
 def test_a_source_that_may_be_made(findings, lines):
     assert findings("PKG004", **{"package.xml": CMAKE, "CMakeLists.txt": f"project(robot)\n{lines}\n"}) == []
+
+
+def test_a_setup_py_that_the_build_never_runs(findings):
+    build = "project(robot)\nfind_package(ament_cmake REQUIRED)\nfind_package(ament_cmake_python REQUIRED)\n"
+    build += "ament_python_install_package(robot)\ninstall(DIRECTORY worlds DESTINATION share/robot)\nament_package()\n"
+    files = {"worlds/hall.world": "", "worlds/models/box.sdf": "", "robot/__init__.py": "", "CMakeLists.txt": build}
+    setup = WORLDS.format(listed="glob('worlds/*')")
+    assert findings("PKG004", **files, **{"setup.py": setup, "package.xml": manifest(build_type="ament_cmake")}) == []

@@ -325,10 +325,12 @@ def folders_listed(workspace: WorkspaceIndex) -> Iterator[FolderListed]:
     """The first folder that each such pattern matches."""
     for installs in understood(workspace).values():
         at = installs.data_files_at
-        asks = at is not None and any(workspace.code.mentions(at.file, word) for word in _ASKS_FOR_FILES)
+        if at is None:
+            continue  # CMake builds the package, and nothing runs a setup.py beside it
+        asks = any(workspace.code.mentions(at.file, word) for word in _ASKS_FOR_FILES)
         for row in installs.files if not asks else ():
             place, (where, name) = row.place or at, posixpath.split(posixpath.normpath(row.source))
-            if place is None or row.folder or any(sign in where for sign in "*?[") or name == "**":
+            if row.folder or any(sign in where for sign in "*?[") or name == "**":
                 continue
             below = (path.removeprefix(f"{where}/") for path in workspace.tree.files_below(where or "."))
             folders = dict.fromkeys(path.partition("/")[0] for path in below if "/" in path)
