@@ -73,7 +73,7 @@ def refused(findings):
             'rosidl_generate_interfaces(${PROJECT_NAME} "msg/Speed.msg")\n',
             1,
             "rosidl_generate_interfaces() is a command of 'rosidl_default_generators', which no find_package() finds: "
-            "the build stops",
+            "the build stops from iron on",
         ),
         (
             "if(BUILD_TESTING)\n  ament_add_gtest(test_talker src/talker.cpp)\nendif()\n",
@@ -137,3 +137,16 @@ def test_a_package_of_python_that_is_there_or_is_made(refused):
     assert refused("ament_python_install_package(robot PACKAGE_DIR src/robot)\n", **{"src/robot/__init__.py": ""}) == []
     made = "configure_file(init.py.in robot/__init__.py)\nament_python_install_package(robot)\n"
     assert refused(made) == []
+
+
+def test_rclcpp_brings_the_generators_of_interfaces_in_humble(refused):
+    text = 'rosidl_generate_interfaces(${PROJECT_NAME} "msg/Speed.msg")\n'
+    assert refused(text, Dockerfile="FROM ros:humble\n") == []
+    [(_, message)] = refused(text, Dockerfile="FROM ros:jazzy\n")
+    assert message.endswith("which no find_package() finds: the build stops")
+
+
+def test_a_build_without_rclcpp_has_no_generators_in_humble(findings):
+    text = 'project(robot)\nfind_package(ament_cmake REQUIRED)\nrosidl_generate_interfaces(robot "msg/Speed.msg")\n'
+    files = {"package.xml": CMAKE, "msg/Speed.msg": "float64 value\n", "Dockerfile": "FROM ros:humble\n"}
+    assert len(findings("PKG015", **files, **{"CMakeLists.txt": f"{text}ament_package()\n"})) == 1

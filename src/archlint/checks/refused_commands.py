@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.pinned import is_for_humble, named_distros
 from archlint.checks.cmake_names import SYSTEM, found_with
 from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
@@ -97,18 +98,26 @@ def _undefined(workspace: WorkspaceIndex, installs: Installs, options: Options) 
     for row in installs.called:
         is_found_for_tests = finds_tests and row.name != _FINDS_TESTS and row.name.startswith("ament_add_")
         if row.package not in there and row.package not in options.external and not is_found_for_tests:
-            yield _finding_of(installs, row)
+            by_humble = row.name == _GENERATES and not _BRING_IT_IN_HUMBLE.isdisjoint(there)
+            if not (by_humble and is_for_humble(workspace)):
+                yield _finding_of(installs, row, by_humble and not named_distros(workspace))
 
 
 _FINDS_TESTS = "ament_lint_auto_find_test_dependencies"
 """Finds all that package.xml declares for tests."""
+_GENERATES = "rosidl_generate_interfaces"
+_BRING_IT_IN_HUMBLE = frozenset({"rosidl_typesupport_c", "rosidl_typesupport_cpp"})
+"""What finds rosidl_cmake, which has that command, and the generators of C and C++ until Humble, where
+``find_package(rclcpp)`` is enough.  Source: rosidl_typesupport_c-extras.cmake.in and the CMakeLists.txt of
+rosidl_generator_c."""
 
 
-def _finding_of(installs: Installs, row: CalledCommand) -> Finding:
+def _finding_of(installs: Installs, row: CalledCommand, by_humble: bool) -> Finding:
+    since = " from iron on" if by_humble else ""
     return finding(
         "PKG015",
         row.place,
-        f"{row.name}() is a command of '{row.package}', which no find_package() finds: the build stops",
+        f"{row.name}() is a command of '{row.package}', which no find_package() finds: the build stops{since}",
         help=f"add find_package({row.package} REQUIRED)",
         identity=(installs.package, row.name),
         group=(row.place.file, row.package),
