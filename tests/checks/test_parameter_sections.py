@@ -256,3 +256,21 @@ def test_a_program_from_elsewhere_that_gets_the_file_under_almost_the_name(findi
         "no launch file that loads this file starts a node '/left_camera_node'; did you mean '/left_camera'?"
     )
     assert findings("PRM005", camera, **{"config/p.yaml": f"right: {RATE}\n"}) == []
+
+
+CONTROLLERS = f"""\
+left:
+  controller_manager:
+    ros__parameters:
+      update_rate: 100
+      arm_controller: {{type: joint_trajectory_controller/JointTrajectoryController}}
+  arm_controller: {RATE}
+"""
+MANAGER = f"""
+  <node pkg="controller_manager" exec="ros2_control_node" namespace="left" name="controller_manager">{LOAD_IT}</node>
+  <node pkg="controller_manager" exec="spawner" namespace="left" name="arm_controller_spawner" args="arm_controller"/>
+"""
+
+
+def test_the_controllers_that_a_manager_makes_are_no_spawners(findings):
+    assert findings("PRM005", MANAGER, **{"config/p.yaml": CONTROLLERS}) == []

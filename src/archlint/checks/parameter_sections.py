@@ -16,7 +16,7 @@ from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch.kinds import FileStatus
 from archlint.launch_files.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
 from archlint.launch_files.files_read_in_code import is_for_a_test, is_read_in_code
-from archlint.launch_files.plugin_parameters import costmaps_without_namespace
+from archlint.launch_files.plugin_parameters import controllers_of, costmaps_without_namespace
 from archlint.launch_files.set_parameters import (
     files_of,
     files_of_process,
@@ -109,6 +109,8 @@ def _judged(
     if is_read_in_code(workspace, file, key.strip("/")):
         return None
     namespace, _, last = key.rpartition("/")
+    if last in controllers_of(workspace.parameters_of(file)) and _may_hold_more_nodes(workspace, file):
+        return None  # the controller manager, which gets the file, makes a node of that name
     namesakes = [node for node in started if node.last == last]
     right = sorted({node.name for node in unmet if node.last == last})
     if _may_come_otherwise(workspace, key):
