@@ -71,6 +71,8 @@ GOOD = [
     "/left/talker:\n  ros__parameters:\n    pid:\n      p: 1.0\n      parameters:\n        i: 2",
     "talker:\n  ros__parameters: {}\nother: {}",
     "talker:\n  ros__parameters:\n    param: 3\n    ros_parameters: 2",
+    "talker:\n  ros__parameters:\n    gpio:\n      - interfaces: [a, b]\n        rate: 2.0",
+    "talker:\n  ros__parameters:\n    gpio:\n      - left:\n          interfaces:\n            - a",
 ]
 
 
@@ -79,6 +81,8 @@ NO_VALUES = {
     "talker:\n  ros__parameters:\n    pid:\n      p:\n      i: 1.0": (4, "the parameter 'pid.p' has no value"),
     "talker:\n  ros__parameters:\n    points: [[1, 2], [3, 4]]": (3, "'points' is a list of lists, and rcl has none"),
     "talker:\n  ros__parameters:\n    points:\n      - x: 1\n        y: 2": (3, "'points' is a list of maps"),
+    "talker:\n  ros__parameters:\n    pins:\n      - name: a\n        all: [b]": (3, "'pins' is a list of maps"),
+    "talker:\n  ros__parameters:\n    pins:\n      - all: [a]\n      - all: [b]": (3, "'pins' is a list of maps"),
     "talker:\n  ros__parameters:\n    a: &a [1]\n    b: *a": (4, "'b' is an alias, and rcl has none"),
     "one: &one\n  ros__parameters:\n    a: 1\ntwo:\n  <<: *one": (5, "'<<' is an alias, and rcl has none"),
 }

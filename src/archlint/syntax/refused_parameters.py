@@ -1,7 +1,9 @@
 """Values of a parameter file that rcl refuses or makes something else of.
 
 Source: ``parse_value`` and ``parse_file_events`` of rcl_yaml_param_parser: "No value at line", "Will not support
-aliasing", "Sequences cannot be key".  A map in a list becomes parameters of its keys' names, or is refused.
+aliasing", "Sequences cannot be key".  A map in a list becomes parameters of its keys' names, or is refused.  The end of
+any list ends the outer one, too, for the parser; so a map that is the only item of a list, and whose first value is a
+list, is read like a map without the dash.
 """
 
 from __future__ import annotations
@@ -71,9 +73,20 @@ def _kind(value: yaml.Node) -> Refusal | None:
             return Refusal.EMPTY
         case yaml.SequenceNode(value=[_, _, *_] as items) if all(isinstance(i, yaml.SequenceNode) for i in items[:2]):
             return Refusal.NESTED
+        case yaml.SequenceNode(value=[yaml.MappingNode() as only]) if _starts_with_list(only):
+            return None
         case yaml.SequenceNode(value=[yaml.MappingNode(), *_]):
             return Refusal.MAPS
     return None
+
+
+def _starts_with_list(node: yaml.Node) -> bool:
+    """Whether the first value in a map, or in the map that this is, is a list of plain values."""
+    import yaml
+
+    while isinstance(node, yaml.MappingNode) and node.value:
+        node = node.value[0][1]
+    return isinstance(node, yaml.SequenceNode) and all(isinstance(item, yaml.ScalarNode) for item in node.value)
 
 
 __all__ = ["Refusal", "RefusedParameter", "first_refused"]
