@@ -714,3 +714,15 @@ def test_annotations_that_nothing_evaluates(judge: Judge, findings: Callable[...
     files = {"robot/talker.py": text.lstrip(), "CMakeLists.txt": CMAKE}
     assert findings("API005", **files, Dockerfile="FROM ros:lyrical\n") == []
     assert len(findings("API005", **files, Dockerfile="FROM ros:jazzy\n")) == 1
+
+
+@pytest.mark.parametrize("comment", ["noqa", "NOQA", "noqa: F821", "noqa: E501, F821"])
+def test_a_line_that_its_author_has_looked_at(judge: Judge, comment: str) -> None:
+    body = f"        self.get_logger().info(session)  # {comment}"
+    assert judge("API005", NODE.format(body=body)) == []
+
+
+@pytest.mark.parametrize("comment", ["# noqa: E501", "# noqa: F401", "# noqas are rare"])
+def test_a_comment_about_something_else(judge: Judge, comment: str) -> None:
+    body = f"        self.get_logger().info(session)  {comment}  # here"
+    assert len(judge("API005", NODE.format(body=body))) == 1

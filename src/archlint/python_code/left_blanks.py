@@ -26,6 +26,17 @@ def is_left_blank(workspace: WorkspaceIndex, file: str, name: str, line: int) ->
     return _is_asked_for(workspace, file, name) or _is_below_gap(workspace, file, line)
 
 
+_NOQA = r"#\s*(?:noqa|NOQA)\b(?:(?![ \t]*:)|[ \t]*:[ \tA-Z0-9,]*\bF821\b)"
+"""What tells flake8 and ruff to say nothing of a line, or nothing of an undefined name."""
+
+
+def lines_looked_at(workspace: WorkspaceIndex, file: str) -> frozenset[int]:
+    """The lines of a file whose author has told other linters that a name there is known to be undefined."""
+    if not any(workspace.code.mentions(file, word) for word in ("noqa", "NOQA")):
+        return frozenset()
+    return frozenset(number for number, _ in workspace.tree.lines_with(file, _NOQA))
+
+
 _SEVERAL = 3
 """How many comments that ask for code no longer are an author's notes to himself."""
 
@@ -72,4 +83,4 @@ def _is_below_gap(workspace: WorkspaceIndex, file: str, line: int) -> bool:
     return False
 
 
-__all__ = ["is_an_exercise", "is_left_blank"]
+__all__ = ["is_an_exercise", "is_left_blank", "lines_looked_at"]

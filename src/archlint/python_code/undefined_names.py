@@ -15,7 +15,7 @@ from archlint.analysis.kept import kept_for_each_file, once
 from archlint.launch.files import GENERATE
 from archlint.place import Place
 from archlint.python_code.evaluated_hints import evaluates_hints, hints_of
-from archlint.python_code.left_blanks import is_left_blank
+from archlint.python_code.left_blanks import is_left_blank, lines_looked_at
 from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, starred
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
@@ -85,6 +85,9 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
             unbound = [r for r in unbound if not any(covers(function, r.span) for function in idle)]
         if any(r.in_hint for r in unbound) and not evaluates_hints(workspace, file.relative, file_facts):
             unbound = [r for r in unbound if not r.in_hint]
+        if unbound:
+            looked_at = lines_looked_at(workspace, file.relative)
+            unbound = [r for r in unbound if r.span[0] not in looked_at]
         brought = starred(workspace, file.relative, file_facts) if unbound else None
         if brought is None:
             continue
