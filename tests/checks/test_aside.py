@@ -125,6 +125,8 @@ def test_a_word_that_only_holds_the_letters_of_one(named, path: str):
         "robot/archieve/talker.py",
         "robot/_old/talker.py",
         "robot/2024_back_up/talker.py",
+        "robot/talker_bkp.py",
+        "robot/arms_bkp/talker.py",
     ],
 )
 def test_what_is_put_aside(named, path: str):
@@ -143,6 +145,7 @@ def test_what_is_put_aside(named, path: str):
         "archive_reader.py",
         "copy_files.py",
         "record_archive.launch.py",
+        "bkp_battery.launch.py",
         "last_used/x.py",
         "(new)arms/talker.py",
         "arms(old road)/talker.py",

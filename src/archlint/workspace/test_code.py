@@ -16,12 +16,12 @@ _PUT_ASIDE = frozenset({"archive", "archived", "archives", "attic", "backups", "
 }
 """Among them a spelling that one meets as often as the right one."""
 _NAMED_OLD = re.compile(
-    r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|back_?up|bak|unused)|_old|(?:.+_)?not_?used"
+    r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|back_?up|bak|bkp|unused)|_old|(?:.+_)?not_?used"
 )
 _MARKED = re.compile(r"[(\[](?:archived?|backup|deprecated|obsolete|old|unused)[)\]]")
 _COPY = re.compile(
     r"\(copy|[ _.-]copy\d*\W|^copy[ _-](?:\d+[ _-])?of[ _-]|sync-conflict-|\(\d+\)"
-    r"|[ _.-](?:bak|backup|bk|old|orig|unused)\.|[ _.-](?:archived?|deprecated|obsolete)\.py$"
+    r"|[ _.-](?:bak|backup|bk|bkp|old|orig|unused)\.|[ _.-](?:archived?|deprecated|obsolete)\.py$"
 )
 _RETIRED = re.compile(r"(?:old|archived|deprecated|unused)_(?=.*\.py$)(?!.*\.launch\.py$)", re.IGNORECASE)
 
