@@ -256,3 +256,15 @@ def test_a_timer_in_a_group_starts_nothing_with_an_argument_that_is_gone(
     }
     write_robot(tmp_path, **launch)
     assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
+
+
+def test_a_coroutine_that_the_import_runs_and_the_script_only_makes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    talker = TALKER.replace("{}", "Talker()").replace("def main", "async def main")
+    files = {
+        "robot/talker.py": f"import asyncio\n{talker}\nasyncio.run(main())\n",
+        "archlint.toml": 'select = ["NME004"]',
+    }
+    write_robot(tmp_path, '<node pkg="robot" exec="talker"/>', **files)
+    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+    assert report.findings == []

@@ -479,6 +479,7 @@ def test_a_console_script_that_is_an_async_def(findings):
         ASYNC.replace("async def main", "@run\nasync def main"),
         ASYNC + "\n\nmain = sync(main)\n",
         ASYNC + "\n\ntry:\n    import asyncio\nexcept ImportError:\n    def main():\n        pass\n",
+        ASYNC + "\n\ntry:\n    asyncio.run(main())\nexcept KeyboardInterrupt:\n    pass\n",
         ASYNC.replace("async def main", "async def run") + "\n\ndef main():\n    asyncio.run(run())\n",
     ],
 )

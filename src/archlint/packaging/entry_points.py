@@ -18,7 +18,7 @@ from archlint.ros.python_modules import key_of
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import called_name, calls_in, main_guard, statements_of
+from archlint.syntax.walk import called_name, calls_in, calls_on_import, main_guard, statements_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -93,7 +93,9 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> Broken |
     head = function.partition(".")[0]
     if any(map(partial(_defines, head), file_facts.body)):
         coroutine = _coroutine(file_facts, function)
-        return None if coroutine is None else NeverAwaited(module, function, Place(paths[0], *coroutine.name_span))
+        if coroutine is None or calls_on_import(file_facts, function):
+            return None
+        return NeverAwaited(module, function, Place(paths[0], *coroutine.name_span))
     names = _bound_names(file_facts.body)
     if head in names or _binds_more(file_facts.body):
         return None

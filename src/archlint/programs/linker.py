@@ -19,7 +19,7 @@ from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.heap import Store
 from archlint.interpreter.limits import TEST_STEPS
 from archlint.interpreter.modules import Module, ModuleIndex
-from archlint.interpreter.values import Value
+from archlint.interpreter.values import FunctionValue, Value
 from archlint.launch.library import LaunchLibrary
 from archlint.libraries.python import command_line
 from archlint.libraries.rclpy import escapes
@@ -41,7 +41,7 @@ from archlint.programs.roots import run_callbacks, run_pending
 from archlint.programs.sweep import Sweep
 from archlint.programs.top_level import called_alone, place_of
 from archlint.syntax import facts
-from archlint.syntax.walk import main_guard
+from archlint.syntax.walk import calls_on_import, main_guard
 from archlint.workspace.test_code import common_folder
 
 if TYPE_CHECKING:
@@ -298,7 +298,7 @@ class Linker:
             run.import_module(module)
             if entry.function is not None:
                 function = self._dotted(run, module, entry.function)
-                if function is not None:
+                if function is not None and not _has_run_on_import(module, entry.function, function):
                     run.context.name = entry.function
                     root.place = place_of(function) or root.place
                     run.call(function)
@@ -336,6 +336,12 @@ class Linker:
             _run_block(run, module, guard)
             _make_escaped_class(run)
         return root.result()
+
+
+def _has_run_on_import(module: Module, name: str, function: Value) -> bool:
+    """Whether a console script only makes a coroutine that nothing runs, of what its import has run already."""
+    is_async = isinstance(function, FunctionValue) and function.ir.is_async
+    return is_async and calls_on_import(module.facts, name)
 
 
 def _says_something(program: model.Program) -> bool:

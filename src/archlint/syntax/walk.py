@@ -65,4 +65,22 @@ def main_guard(code: facts.Facts) -> facts.If | None:
     return None
 
 
-__all__ = ["blocks_of", "called_name", "calls_in", "given_to", "is_none", "main_guard", "parts_of", "statements_of"]
+def calls_on_import(code: facts.Facts, function: str) -> bool:
+    """Whether a file calls a function of its own when it is imported, as in ``asyncio.run(main())``: a console script
+    that calls an ``async def`` again only makes a coroutine."""
+    guard = main_guard(code)
+    calls = calls_in([statement for statement in code.body if statement is not guard])
+    return any(call.func.variable == function for call in calls)
+
+
+__all__ = [
+    "blocks_of",
+    "called_name",
+    "calls_in",
+    "calls_on_import",
+    "given_to",
+    "is_none",
+    "main_guard",
+    "parts_of",
+    "statements_of",
+]
