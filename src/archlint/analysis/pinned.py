@@ -35,9 +35,9 @@ _OLDER = frozenset({"dashing", "eloquent", "foxy", "galactic"})
 _OTHERS = (*sorted(_OLDER), "iron", "noetic", "melodic")
 _NAMED = re.compile(rf"(?<![A-Za-z0-9])({'|'.join((*DISTROS, *_OTHERS))})(?![A-Za-z0-9])", re.IGNORECASE)
 _OF_ROS = re.compile(
-    r"(?:\bros[:-]|/opt/ros/|\bros[_.]distro\w*[\"']?\s*[:=]\s*[\"'\[ ]*|ros-distributions?:\s*)$", re.IGNORECASE
+    r"(?:\bros[:-]|/opt/ros/|\b(?:ros[_.])?distro\w*[\"']?\s*[:=]\s*[\"'\[ ]*|ros-distributions?:\s*)$", re.IGNORECASE
 )
-"""What precedes a distribution: ``ros:jazzy``, ``ros-jazzy-desktop``, ``ROS_DISTRO=jazzy``."""
+"""What precedes a distribution: ``ros:jazzy``, ``ros-jazzy-desktop``, ``ROS_DISTRO=jazzy``, ``distro: jazzy``."""
 
 
 def named_distros(workspace: WorkspaceIndex | None) -> frozenset[str]:
