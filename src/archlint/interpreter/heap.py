@@ -69,6 +69,11 @@ class Store:
                 return layer[at]
         return None
 
+    def names_of(self, key: int) -> list[str]:
+        """The names under which an object or a scope has values now, in the order in which they were written first."""
+        slots = (slot for layer in self.layers for owner, slot in layer if owner == key)
+        return list(dict.fromkeys(slot for slot in slots if isinstance(slot, str)))
+
     def values_at(self, slots: Sequence[tuple[int, str]]) -> list[Value | None]:
         """What each of many variables holds; None where nobody has written it."""
         if self._reads is not None:

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 from archlint.interpreter import containers
 from archlint.interpreter.values import (
     DictValue,
+    External,
+    Instance,
     ListValue,
     OneOf,
     Unknown,
@@ -14,7 +16,8 @@ from archlint.interpreter.values import (
     alternatives,
     one_of,
 )
-from archlint.libraries.rclpy import changed_profiles
+from archlint.libraries.rclpy.changed_profiles import copy_profile
+from archlint.libraries.rclpy.profile_parts import PROFILE
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -33,7 +36,28 @@ def copied(run: Run, value: Value) -> Value:
         case DictValue():
             entries = value.entries(run)
             return containers.new_dict(run, dict(entries.entries), entries.open)
-    return changed_profiles.copy_profile(run, value)
+    return _copied_object(run, value)
+
+
+def _copied_object(run: Run, value: Value, copies: dict[int, Value] | None = None) -> Value:
+    """A copy of what is no container: of an object with what it holds now.  That is copied as well where ``copies`` has
+    what has been copied so far.  Nobody copies a node."""
+    if not isinstance(value, Instance) or _is_profile(value):
+        return copy_profile(run, value)
+    if value.key in run.nodes.by_object:
+        return value
+    copy = Instance(value.cls, run.store.new_key(), value.place, value.arguments)
+    if copies is not None:
+        copies[value.key] = copy
+    for name in run.store.names_of(value.key):
+        held = run.store.get(value.key, name)
+        if held is not None:
+            run.store.set(copy.key, name, held if copies is None else _copied_deep(run, held, copies))
+    return copy
+
+
+def _is_profile(value: Instance) -> bool:
+    return isinstance(value.cls, External) and value.cls.path == PROFILE
 
 
 def _deep_copy(run: Run, site: CallSite) -> Value:
@@ -41,13 +65,13 @@ def _deep_copy(run: Run, site: CallSite) -> Value:
 
 
 def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
-    """A copy, the containers inside it copied as well; ``copies`` has those already made, by key."""
+    """A copy, the containers and objects inside it copied as well; ``copies`` has those already made, by key."""
     if isinstance(value, OneOf):
         return one_of(_copied_deep(run, option, copies) for option in value.values)
-    if not isinstance(value, (ListValue, DictValue)):
-        return changed_profiles.copy_profile(run, value)
-    if value.key in copies:
+    if isinstance(value, (ListValue, DictValue, Instance)) and value.key in copies:
         return copies[value.key]
+    if not isinstance(value, (ListValue, DictValue)):
+        return _copied_object(run, value, copies)
     copies[value.key] = Unknown("a container that contains itself")
     if isinstance(value, ListValue):
         items = value.items(run)
