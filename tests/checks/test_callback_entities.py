@@ -517,7 +517,7 @@ while self.name is None:
                 "second = Robot()\nrclpy.spin(robot)\nrclpy.spin(second)", ["second = Robot()"], id="too late"
             ),
             pytest.param(
-                "second = Robot()\nrclpy.spin(robot)\ntry:\n    rclpy.spin(second)\nfinally:\n    rclpy.shutdown()",
+                "second = Robot()\nrclpy.spin(robot)\ntry:\n    rclpy.spin(second)\nfinally:\n    rclpy.try_shutdown()",
                 ["second = Robot()"],
                 id="too late, in a try",
             ),
