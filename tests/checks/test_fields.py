@@ -136,6 +136,7 @@ def test_a_field_that_is_not_there(judge: Judge, lines: dict[str, str]):
     [
         {"on_scan": "print(scan.ranges, scan.header.stamp.sec, scan.get_fields_and_field_types())"},
         {"on_scan": "print(BatteryState().POWER_SUPPLY_STATUS_FULL)"},
+        {"on_scan": "print(BatteryState(voltage=1.0, check_fields=False).voltage)"},
         {"on_scan": "print(scan.extra) if hasattr(scan, 'extra') else None"},
         {"on_scan": "print(getattr(scan, 'extra', None))"},
         {"on_scan": "self.client.call_async(SetBool.Request()).add_done_callback(self.on_done)",

@@ -1177,3 +1177,17 @@ def test_a_setup_py_that_the_build_never_runs(findings):
     files = {"worlds/hall.world": "", "worlds/models/box.sdf": "", "robot/__init__.py": "", "CMakeLists.txt": build}
     setup = WORLDS.format(listed="glob('worlds/*')")
     assert findings("PKG004", **files, **{"setup.py": setup, "package.xml": manifest(build_type="ament_cmake")}) == []
+
+
+def test_a_module_beside_a_folder_of_its_name(findings):
+    """Both are ``robot.lib.words``."""
+    files = {
+        "robot/__init__.py": "",
+        "robot/lib/__init__.py": "",
+        "robot/lib/words.py": "from .words import HELLO\n",
+        "robot/lib/words/__init__.py": "from .greetings import HELLO\n",
+        "robot/lib/words/greetings.py": "HELLO = 'hello'\n",
+        "robot/talker.py": "from robot.lib.words import HELLO\n" + TALKER,
+    }
+    (finding,) = findings("PKG004", **files, **{"setup.py": setup("['robot']")})
+    assert finding.message.startswith("packages= leaves out 'robot.lib', which robot/talker.py imports")

@@ -107,8 +107,10 @@ def _code(workspace: WorkspaceIndex, package: str, rows: Sequence[LeftOut]) -> F
     names = {path: name for name, path in workspace.code.modules_of(package).items()}
     groups: dict[_Group, list[LeftOut]] = {}
     names |= {row.file: row.module for row in rows if row.module}
-    for row in rows:
-        groups.setdefault(_group(row.file, names[row.file]), []).append(row)
+    for row in rows:  # a module beside a folder of its name shares that
+        folder = workspace.installs[package].folder
+        name = names.setdefault(row.file, posixpath.relpath(row.file, folder).removesuffix(".py").replace("/", "."))
+        groups.setdefault(_group(row.file, name), []).append(row)
     [first, *others] = groups
     if others:
         what = f"packages= leaves out {listed([group.name for group in groups])}, which installed programs need"

@@ -20,6 +20,11 @@ if TYPE_CHECKING:
 _NOTHING: Mapping[str, Value] = MappingProxyType({})
 
 
+_CHECKS = "check_fields"
+"""Whether the setters check what they are given: no field, but the constructors that Jazzy generates take it.  Source:
+rosidl_generator_py, ``_msg.py.em``."""
+
+
 def note_made(
     run: Run, message: MessageValue, expression: facts.Call | None, keywords: Mapping[str, Value] = _NOTHING
 ) -> None:
@@ -28,6 +33,8 @@ def note_made(
         run.messages.made_in[message.key] = run.activation
     for argument in expression.args if expression is not None else ():
         span = getattr(argument.value, "span", None)
+        if argument.keyword == _CHECKS:
+            continue
         if argument.keyword is not None and not argument.star and span is not None:
             note_use(run, message, argument.keyword, span, "keyword")
             if argument.keyword in keywords:
