@@ -60,6 +60,21 @@ def test_an_entry_without_a_function_for_a_module_that_runs_when_it_is_imported(
     assert findings("PKG002", **files) == []
 
 
+PACKAGED = SETUP.replace("robot.talker:main", "talker:main").replace("    name=", "    packages=['robot'],\n    name=")
+
+
+def test_an_entry_without_the_package_around_its_module(findings):
+    (found,) = findings("PKG002", **{"setup.py": PACKAGED, "robot/__init__.py": ""})
+    assert found.message.endswith("module 'talker' does not exist; did you mean 'robot.talker'?")
+    assert (found.help, found.place.line) == ("write 'talker = robot.talker:main'", 7)
+
+
+@pytest.mark.parametrize("more", ["package_dir={'': 'robot'}", "py_modules=['talker']"])
+def test_a_module_that_is_installed_without_its_package(findings, more):
+    setup = PACKAGED.replace("    name=", f"    {more},\n    name=")
+    assert findings("PKG002", **{"setup.py": setup, "robot/__init__.py": ""}) == []
+
+
 def test_a_setup_py_that_nobody_runs_breaks_nothing(findings):
     files = {"CMakeLists.txt": "project(robot)\n" + SCRIPTS, "package.xml": CMAKE}
     assert findings("PKG002", **files, **{"setup.py": SETUP.replace("robot.talker", "robot.gone")}) == []

@@ -85,6 +85,8 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> Broken |
         if foreign or unread:
             return None
         return NoModule(module, function, tuple(modules))
+    if module not in modules and _is_inside_package(workspace, executable, paths[0]):
+        return NoModule(module, function, tuple(modules))
     file_facts = workspace.facts_at(paths[0])
     if file_facts is None or file_facts.problems:
         return None
@@ -109,6 +111,18 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> Broken |
         ros1_module(file_facts) or "",
         _functions(file_facts) != (),
     )
+
+
+def _is_inside_package(workspace: WorkspaceIndex, executable: Executable, path: str) -> bool:
+    """Whether a file is installed with the package of Python around it, so that Python finds it under that name alone:
+    the setup.py says nothing of other folders and of single modules."""
+    code, setup = workspace.installs[executable.package].python, executable.place.file
+    if code is None or posixpath.basename(setup) != "setup.py" or path in code.modules:
+        return False
+    is_installed = (
+        posixpath.dirname(path) in code.folders and path in workspace.code.modules_of(executable.package).values()
+    )
+    return is_installed and not any(workspace.code.mentions(setup, word) for word in ("package_dir", "py_modules"))
 
 
 def _is_of_old_name(workspace: WorkspaceIndex, executable: Executable, own: Mapping[str, str]) -> bool:

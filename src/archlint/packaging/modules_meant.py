@@ -53,7 +53,8 @@ def _likely(workspace: WorkspaceIndex, executable: Executable) -> Meant | None:
     parent, _, last = module.rpartition(".")
     if broken.function is None and parent in known and _may_offer(workspace, package, parent, last):
         return Meant(f"{parent}:{last}", f"{parent}:{last}")
-    near = _without_folders(workspace, package, module, function, known)
+    inside = [name for name in known if name.endswith(f".{module}")]
+    near = inside[0] if len(inside) == 1 else _without_folders(workspace, package, module, function, known)
     near = near or _near_module(module, _that_start(workspace, executable, module, known))
     if near is None or not _may_offer(workspace, package, near, function):
         near = _shorter(workspace, executable, module, function, known)
