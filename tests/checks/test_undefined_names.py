@@ -58,6 +58,7 @@ def _node(*lines: str) -> str:
     ("line", "hint", "help"),
     [
         ("time.sleep(0.1)", "", "write `import time`"),
+        ("time.sleep(0.1); time.zone = 1; time[0] = 2", "", "write `import time`"),
         ("rospy.sleep(0.1)", "", "port the file to rclpy: it is written for ROS 1"),
         ("bridge = CvBridge()", "", "write `from cv_bridge import CvBridge`"),
         ("raise TransformException('lost')", "", "write `from tf2_ros import TransformException`"),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.syntax import facts
-from archlint.syntax.bindings import bound_by
+from archlint.syntax.bindings import given_by
 from archlint.syntax.parts import everything_in, once_for, parts_of
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ def bound_in(body: Sequence[facts.Base]) -> Iterator[str]:
     """The names that a body binds in its own scope."""
     for part in parts_of(body):
         if not isinstance(part, (facts.Generator, facts.Param)):
-            yield from bound_by(part)
+            yield from given_by(part)
 
 
 __all__ = ["MAKES_NAMES", "Starred", "bound_in", "offers", "own_names", "starred", "stars"]

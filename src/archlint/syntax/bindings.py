@@ -39,9 +39,30 @@ def bound_by(part: facts.Base) -> Sequence[str]:
     return []
 
 
+def given_by(part: facts.Base) -> Sequence[str]:
+    """The names that a part gives a value, and not those of which it sets an item or an attribute."""
+    match part:
+        case facts.Assign(targets=targets):
+            return [name for target in targets for name in _given_in(target)]
+        case facts.Annotated() | facts.Augmented() | facts.For() | facts.WithItem() | facts.Generator():
+            return [] if part.target is None else list(_given_in(part.target))
+    return bound_by(part)
+
+
+def _given_in(target: facts.Expr) -> Iterator[str]:
+    match target:
+        case facts.Name(id=name):
+            yield name
+        case facts.Sequence(elements=elements):
+            for element in elements:
+                yield from _given_in(element)
+        case facts.Starred(value=value):
+            yield from _given_in(value)
+
+
 def names_bound(code: Source) -> Iterator[str]:
     """The names that some code binds, in whichever scope inside it; each as often as it is bound."""
     return (name for part in everything_in(code) for name in bound_by(part))
 
 
-__all__ = ["bound_by", "names_bound"]
+__all__ = ["bound_by", "given_by", "names_bound"]
