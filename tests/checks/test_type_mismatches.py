@@ -174,6 +174,16 @@ def test_a_node_that_tries_two_names_with_one_callback(name: str, shared: bool, 
     assert (finding.help or "").startswith("remove this subscription") is (expected is Severity.INFO)
 
 
+@pytest.mark.parametrize(
+    ("written", "launched_by", "count"), [("x", None, 0), ("x", "all.launch.py", 1), ("/x", None, 1)]
+)
+def test_an_absolute_and_a_relative_name_of_one_node(written: str, launched_by: str | None, count: int):
+    """A converter is given a namespace, so that what it reads is not what it sends: a launch file decides."""
+    ends = publisher("/x", "p/msg/One"), subscriber(written, "p/msg/Two")
+
+    assert len(found(topic_type_mismatch, system(node("/a", *ends, launched_by=launched_by)))) == count
+
+
 def test_an_end_that_has_a_partner_of_its_type_is_not_what_is_wrong():
     """A bridge is given the wrong type, and another one in the same launch file the right one."""
     wrong = node("/bridge", subscriber("x", "p/msg/Two"), publisher("x", "p/msg/Two"))

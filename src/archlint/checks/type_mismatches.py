@@ -66,7 +66,11 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
         pairs: dict[tuple[str, str], list[tuple[Endpoint, Endpoint]]] = {}
         there = [end for end in all_endpoints(connection) if end.type not in missing]
         pairs_of_types = conflicting_pairs(system, there, _one_type)
-        conflicts = [pair for pair in pairs_of_types if not _are_of_several_programs(system, *pair)]
+        conflicts = [
+            pair
+            for pair in pairs_of_types
+            if not _are_of_several_programs(system, *pair) and not _meet_without_namespace(*pair)
+        ]
         torn = _with_several_types(conflicts)
         for ends in torn.values():
             yield _several_types(connection, in_source_order(ends))
@@ -102,6 +106,15 @@ def _are_of_several_programs(system: System, endpoint: Endpoint, other: Endpoint
     own = programs.get((endpoint.place, endpoint.type), set())
     others = programs.get((other.place, other.type), set())
     return bool(own and others) and own.isdisjoint(others)
+
+
+def _meet_without_namespace(endpoint: Endpoint, other: Endpoint) -> bool:
+    """Whether two ends of one node, an absolute and a relative one, have the same name only where nothing gives the
+    node a namespace, for which it has the relative one."""
+    if endpoint.node is not other.node or endpoint.node.launched_by is not None:
+        return False
+    written = [end.written for end in (endpoint, other)]
+    return None not in written and len({(name or "").startswith("/") for name in written}) > 1
 
 
 @once
