@@ -14,5 +14,8 @@ class Build:
     def text(self, path: str) -> str | None:
         return self.files.get(path)
 
+    def is_file(self, path: str) -> bool:
+        return path in self.files
+
     def files_below(self, folder: str) -> list[str]:
         return sorted(path for path in self.files if folder == "." or path.startswith(f"{folder}/"))

@@ -114,8 +114,8 @@ def test_what_is_between_two_of_them_is_not_told(told):
 def test_two_publishers_one_of_which_is_here(told):
     [(_, file, message)] = told(
         ("OWN001",),
-        "self.p = self.create_publisher(LaserScan, 'scan', 10)\nself.create_timer(0.1, self.tick)"
-        "\ndef tick(): self.p.publish(LaserScan())",
+        "self.p = self.create_publisher(LaserScan, 'scan', 10)\n"
+        "self.create_timer(0.1, lambda: self.p.publish(LaserScan()))",
     )
     assert file == "robot/talker.py"
     assert "/base and /talker both publish the topic '/scan'" in message

@@ -137,7 +137,9 @@ def test_one_mistake_is_told_once_however_many_arguments_take_part(
         "    ])\n"
     )
     driver = tmp_path / "src/base/base/driver.py"
-    driver.write_text(driver.read_text() + "\n\ndef say(driver):\n    driver.odometry.publish(Odometry())\n")
+    says = ("odometry.publish(Odometry())", "battery.publish(BatteryState())")
+    timers = "".join(f"        self.create_timer(0.1, lambda: self.{said})\n" for said in says)
+    driver.write_text(driver.read_text().replace("\n\ndef main", f"{timers}\n\ndef main", 1))
 
     main(["check", "--no-cache", "--select", "OWN001", "--format", "json", "--launch", LAUNCH_FILE])
 

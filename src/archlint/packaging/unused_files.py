@@ -145,6 +145,8 @@ def _is_idle_module(workspace: WorkspaceIndex, file: str) -> bool:
     code = None if installs is None else workspace.facts_at(file)
     if installs is None or code is None or not installs.executables or installs.open_executables:
         return False
+    if code.problems:  # who knows what it imports and calls
+        return False
     if not _is_below(installs, file) or main_guard(code) is not None or _imports_ros(code):
         return False
     used = file in workspace.code.in_use or file in _tested(workspace) or is_named_by_launch(workspace, _stem(file))
