@@ -34,10 +34,10 @@ def is_documented_start(system: System, call: ApiCall) -> bool:
     says that a program waits as it starts: that is the order in which the author wants things to come up."""
     code = source_code(system)
     function = code.function_at(call.place)
-    text = None if system.workspace is None else system.workspace.tree.text(call.file)
-    if call.context.role not in (Role.INIT, Role.MAIN, Role.MODULE) or function is None or text is None:
+    workspace = system.workspace
+    if call.context.role not in (Role.INIT, Role.MAIN, Role.MODULE) or function is None or workspace is None:
         return False
-    above = text.splitlines()[function.span[0] : call.place.line - 1]
+    above = workspace.tree.lines(call.file, function.span[0] + 1, call.place.line - 1)
     comments = (line.partition("#")[2] for line in above if "#" in line)
     callers = (code.function_at(frame.place) for frame in call.chain)
     constructors = (caller.docstring for caller in callers if caller is not None and caller.name == "__init__")
