@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from archlint.interpreter import containers
 from archlint.interpreter.values import (
     DictValue,
-    External,
     Instance,
     ListValue,
     OneOf,
@@ -16,8 +15,7 @@ from archlint.interpreter.values import (
     alternatives,
     one_of,
 )
-from archlint.libraries.rclpy.changed_profiles import copy_profile
-from archlint.libraries.rclpy.profile_parts import PROFILE
+from archlint.libraries.rclpy.changed_profiles import copy_profile, is_profile
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -42,7 +40,7 @@ def copied(run: Run, value: Value) -> Value:
 def _copied_object(run: Run, value: Value, copies: dict[int, Value] | None = None) -> Value:
     """A copy of what is no container: of an object with what it holds now.  That is copied as well where ``copies`` has
     what has been copied so far.  Nobody copies a node."""
-    if not isinstance(value, Instance) or _is_profile(value):
+    if not isinstance(value, Instance) or is_profile(value):
         return copy_profile(run, value)
     if value.key in run.nodes.by_object:
         return value
@@ -54,10 +52,6 @@ def _copied_object(run: Run, value: Value, copies: dict[int, Value] | None = Non
         if held is not None:
             run.store.set(copy.key, name, held if copies is None else _copied_deep(run, held, copies))
     return copy
-
-
-def _is_profile(value: Instance) -> bool:
-    return isinstance(value.cls, External) and value.cls.path == PROFILE
 
 
 def _deep_copy(run: Run, site: CallSite) -> Value:

@@ -23,7 +23,6 @@ from archlint.interpreter.values import (
     one_of,
 )
 from archlint.libraries.python.copies import copied
-from archlint.syntax import facts
 from archlint.syntax.cpp.known_names import COPY, DECLARED, FIELDS, ITSELF, PARTS
 
 if TYPE_CHECKING:
@@ -134,26 +133,8 @@ def _copy_of(run: Run, value: Value) -> Value:
         case ListValue() | DictValue() | Instance(cls=External(path="rclpy.qos.QoSProfile")):
             return copied(run, value)
         case Instance(cls=ClassValue() as cls) if not cls.external_bases():
-            copy = Instance(cls, run.store.new_key(), value.place, value.arguments)
-            for name in _fields_of(run, cls):
-                held = run.store.get(value.key, name)
-                if held is not None:
-                    run.store.set(copy.key, name, held)
-            return copy
+            return copied(run, value)
     return value
-
-
-def _fields_of(run: Run, cls: ClassValue) -> list[str]:
-    """The fields of a class, those of its bases among them."""
-    given = (run.store.get(base.key, FIELDS) for base in cls.classes)
-    bodies = [
-        method.ir.body
-        for method in given
-        if isinstance(method, FunctionValue) and isinstance(method.ir, facts.Function)
-    ]
-    statements = (row for body in bodies for row in body)
-    targets = (target for row in statements if isinstance(row, facts.Assign) for target in row.targets)
-    return list(dict.fromkeys(target.attr for target in targets if isinstance(target, facts.Attribute)))
 
 
 def _itself(run: Run, site: CallSite) -> Value:

@@ -10,8 +10,7 @@ import re
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import External, Instance, Known, Unknown, Value
-from archlint.libraries.rclpy import names
-from archlint.libraries.rclpy.changed_profiles import copy_of, copy_profile
+from archlint.libraries.rclpy.changed_profiles import copy_of, copy_profile, is_profile
 from archlint.libraries.rclpy.presets import BEST_AVAILABLE, DEFAULT, PARAMETERS, ROSOUT, SENSOR_DATA, SYSTEM_DEFAULT
 from archlint.libraries.rclpy.profile_parts import OPEN, PRESET, PROFILE
 from archlint.ros.qos import CLOCK, Qos
@@ -62,7 +61,7 @@ def _keep_everything(run: Run, profile: Instance) -> None:
 def _profile(run: Run, site: CallSite) -> Value:
     """``QoS(depth)``, ``QoS(KeepLast(depth))``, ``QoS(…, rmw_qos_profile_…)``, ``QoS(other)``, which copies."""
     start = site.args[1] if len(site.args) > 1 else None
-    if start is None and site.args and isinstance(site.args[0], Instance) and _is_profile(site.args[0]):
+    if start is None and site.args and isinstance(site.args[0], Instance) and is_profile(site.args[0]):
         return copy_of(run, site.args[0])
     profile = _new(run, site)
     if start is not None:
@@ -75,15 +74,11 @@ def _profile(run: Run, site: CallSite) -> Value:
     return profile
 
 
-def _is_profile(given: Instance) -> bool:
-    return names.canonical(given.cls.dotted) == PROFILE
-
-
 def _start_with(run: Run, profile: Instance, given: Value | None) -> None:
     """The history and depth that a constructor is given."""
     if given is None:
         return
-    if isinstance(given, Instance) and _is_profile(given):
+    if isinstance(given, Instance) and is_profile(given):
         for name in ("history", "depth"):
             value = run.store.get(given.key, name)
             if value is not None:
@@ -117,7 +112,7 @@ def _initialization(run: Run, site: CallSite) -> Value:
 def _from_rmw(run: Run, site: CallSite) -> Value:
     """The history and depth of a profile; its other policies are not taken over."""
     profile = copy_profile(run, site.args[0]) if site.args else Unknown("no profile is given")
-    if not isinstance(profile, Instance) or not _is_profile(profile):
+    if not isinstance(profile, Instance) or not is_profile(profile):
         return profile
     start, preset = _new(run, site), run.store.get(profile.key, PRESET)
     if preset is not None:

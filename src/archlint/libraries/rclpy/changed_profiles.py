@@ -66,6 +66,11 @@ def copy_profile(run: Run, value: Value) -> Value:
     return instance
 
 
+def is_profile(value: Instance) -> bool:
+    """Whether an object is a profile of QoS, under whichever name its class is imported."""
+    return rclpy_names.canonical(value.cls.dotted) == PROFILE
+
+
 def copy_of(run: Run, value: Instance) -> Instance:
     instance = Instance(value.cls, run.store.new_key(), value.place, value.arguments)
     run.store.set(instance.key, OPEN, run.store.get(value.key, OPEN) or False)
