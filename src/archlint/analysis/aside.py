@@ -241,9 +241,8 @@ def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
     meant = () if same is None or same.module is None else workspace.code.files_named(same.package, same.module)
     if meant:
         return file in meant  # or that name means another file
-    target = (
-        same is not None and same.script is None and same.module is None
-    )  # of C++, whose words are about a source of its own
+    # One of C++, whose words are about a source of its own.
+    target = same is not None and same.script is None and same.module is None
     if f"{stem}.py" in installs.words or (not target and _is_built(workspace, installs, stem)):
         return True
     # A launch file starts executables by their names, and this file is none: only as a file or a module can it run.

@@ -27,24 +27,22 @@ def sends_again_and_again(system: System, owner: Endpoint) -> bool:
     message or a loop publishes.  So it is where nothing says how it publishes."""
     calls = publishes_of(system, owner)
     places = frozenset(call.place for call in calls)
-    return (
-        _is_handed_on(system, owner) if not calls else any(_is_again_and_again(system, call, places) for call in calls)
-    )
+    if not calls:
+        return _is_handed_on(system, owner)
+    return any(_is_again_and_again(system, call, places) for call in calls)
 
 
 def is_at_it_all_the_time(system: System, owner: Endpoint) -> bool:
     """Whether a timer, each message of data or a loop may publish, on a condition or not: no request or word makes it
     do so.  So it is where nothing says how it publishes."""
     calls = publishes_of(system, owner)
-    return (
-        _is_handed_on(system, owner)
-        if not calls
-        else any(
-            call.looped
-            or call.context.role in (Role.TIMER, Role.METHOD)
-            or (call.context.role in _WITH_DATA and not _gets_words(system, call))
-            for call in calls
-        )
+    if not calls:
+        return _is_handed_on(system, owner)
+    return any(
+        call.looped
+        or call.context.role in (Role.TIMER, Role.METHOD)
+        or (call.context.role in _WITH_DATA and not _gets_words(system, call))
+        for call in calls
     )
 
 
