@@ -67,10 +67,26 @@ def test_a_package_that_cmake_builds(findings, command: str, told: int):
         "[flake8]\nmax-line-length = 99\n",
         "[tool:pytest]\njunit-family = xunit2\n",
         "# script-dir=$base\n",
+        "[options]\ninstall_requires =\n    ruamel-yaml\n    typing-extensions = 4\n",
+        "[options.extras_require]\nwith-camera = opencv-python\n",
+        "[options.entry_points]\nconsole_scripts =\n  talk-er = robot.talker:main\n",
     ],
 )
 def test_underscores_and_other_tools(findings, text):
     assert findings("PKG010", **{"setup.cfg": text}) == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[metadata]\nname = robot\nauthor-email = ada@example.org\n",
+        "[options]\ninstall-requires = setuptools\n",
+        "[build_scripts]\nbuild-dir = scripts\n",
+    ],
+)
+def test_other_sections_that_setuptools_reads(findings, text):
+    (finding,) = findings("PKG010", **{"setup.cfg": text})
+    assert finding.place.line == len(text.splitlines())
 
 
 @pytest.mark.parametrize(

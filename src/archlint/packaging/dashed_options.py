@@ -1,6 +1,7 @@
 """Options of a setup.cfg that are written with a dash, in the sections in which ROS packages have some.
 
-Source: ``Distribution._enforce_underscore`` of setuptools, which warns of them since 54.1 and announces their end.
+Source: ``Distribution._enforce_underscore`` of setuptools, which warns of them since 54.1 and announces their end;
+78.0.0 and 78.0.1 refused them, and all until 84.2.1 take them again.
 """
 
 from __future__ import annotations
@@ -20,7 +21,15 @@ if TYPE_CHECKING:
 
 _SECTION = re.compile(r"\[(\w[\w.:-]*)\]")
 _OPTION = re.compile(r"([a-z]+(?:-[a-z]+)+)\s*[=:]")
-_JUDGED = frozenset({"develop", "install"})
+_JUDGED = frozenset(
+    {
+        *("metadata", "options", "options.packages.find"),
+        *("develop", "install", "install_data", "install_lib", "install_scripts"),
+        *("build", "build_ext", "build_py", "build_scripts", "egg_info", "sdist", "bdist_wheel"),
+    }
+)
+"""The sections that setuptools reads itself and that have names of options: its own tables and its commands.  The names
+in ``options.extras_require`` and the like are those of packages and extras."""
 
 
 @dataclass(frozen=True)
