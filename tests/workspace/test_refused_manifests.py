@@ -16,6 +16,9 @@ GOOD = """<?xml version="1.0"?>
   <depend>rclpy</depend>
 </package>
 """
+AMENT = "<build_type>ament_cmake</build_type>"
+CATKIN = '<build_type condition="$ROS_VERSION == 1">catkin</build_type>'
+TWO_TYPES = ("there are 2 <build_type>s", "keep one of them")
 
 
 def changed(old: str, new: str) -> str:
@@ -80,6 +83,40 @@ def changed(old: str, new: str) -> str:
             "<b> cannot stand inside <depend>",
             "write it beside the other one",
         ),
+        (
+            changed("</depend>", "</depend>\n  <depend>rclpy</depend>"),
+            9,
+            "'rclpy' has two <depend>s",
+            "remove one of them",
+        ),
+        (changed("</name>", "</name>\n  <name>robot2</name>"), 4, "there are 2 <name>s", "keep one of them"),
+        (
+            changed("</package>", "<export/>\n<export/></package>"),
+            10,
+            "there are 2 <export>s",
+            "put all into one of them",
+        ),
+        (changed('format="3"', 'format="4"'), 2, "there is no format '4'", 'write <package format="3">'),
+        (changed('format="3"', 'format="3" version="1"'), 2, "<package> has no attribute 'version'", "remove it"),
+        (
+            changed("<depend>", '<depend condition="$ROS_VERSION = 2">'),
+            8,
+            "'$ROS_VERSION = 2' is no condition",
+            "write one like $ROS_VERSION == 2",
+        ),
+        (
+            changed("</package>", f"<export>{AMENT}\n{CATKIN.replace('==', 'is')}</export></package>"),
+            10,
+            "'$ROS_VERSION is 1' is no condition",
+            "write one like $ROS_VERSION == 2",
+        ),
+        (changed("</package>", f"<export>{AMENT}\n{AMENT}</export></package>"), 10, *TWO_TYPES),
+        (
+            changed("</depend>", "</depend>\n<member_of_group>arms</member_of_group><group_depend>arms</group_depend>"),
+            9,
+            "'arms' is a group of the package, which depends on that",
+            "remove the line",
+        ),
     ],
 )
 def test_what_is_refused(text, line, what, help):
@@ -97,6 +134,11 @@ def test_what_is_refused(text, line, what, help):
         changed("</depend>", "</depend><test_depend>rclpy</test_depend>"),
         changed("</depend>", '</depend><exec_depend version_gte="1.0">rclpy</exec_depend>'),
         changed("</package>", "<export><build_type>ament_cmake</build_type></export></package>"),
+        changed("</package>", f"<export>{CATKIN}{AMENT}</export></package>"),
+        changed("<depend>", "<depend condition=\"$ROS_VERSION == 2 and ($ROS_DISTRO != 'foxy')\">"),
+        changed("</depend>", "</depend> and <depend version_gte='1.0.0'>rclpy</depend>"),
+        changed("<depend>rclpy</depend>", "<exec_depend>rclpy</exec_depend><exec_depend>rclpy</exec_depend>"),
+        changed('format="3"', 'format="3" xmlns="http://example.org" xmlns:xsi="http://example.org"'),
         "<package><name>robot</name><license/></package>",
         "<package><name>robot",
         '<!DOCTYPE package [<!ENTITY a "b">]>' + GOOD.partition("\n")[2],

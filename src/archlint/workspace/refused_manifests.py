@@ -1,7 +1,7 @@
 """What catkin_pkg refuses in a package.xml that is XML: colcon does not take the folder for a package of ROS then.
 
 Source: ``parse_package_string`` and ``Package.validate`` of catkin_pkg 1.1.1; ``_get_package`` of colcon-ros 0.5.0,
-which warns and goes on.
+which warns and goes on, or raises where a condition cannot be read, with which colcon goes on, too.
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
+from archlint.workspace.conditions import is_condition
+
 _VERSION = re.compile(r"[0-9]+\.[0-9]+\.[0-9]+")
 _EMAIL = re.compile(r"[-\w%+]+(?:\.[-\w%+]+)*@[-a-zA-Z0-9%]+(?:\.[-a-zA-Z0-9%]+)*\.[a-zA-Z]{2,}", re.ASCII)
 
@@ -18,6 +20,7 @@ _NEEDED = frozenset({"name", "version", "description", "maintainer", "license"})
 _MOST = 4
 """Of those: a file that has fewer is a sketch, of a test say, and nobody builds it."""
 _ONCE = ("version", "description")
+_AT_MOST_ONCE = ("name", "export")
 _OF_DEPENDENCY = frozenset({"version_lt", "version_lte", "version_eq", "version_gte", "version_gt"})
 _ATTRIBUTES: dict[str, frozenset[str]] = {
     **dict.fromkeys(("name", "description", "license", "export"), frozenset[str]()),
@@ -50,7 +53,11 @@ class _Element:
     attributes: dict[str, str]
     line: int
     text: str = ""
-    children: list[str] = field(default_factory=list)
+    inner: list[_Element] = field(default_factory=list)
+
+    @property
+    def children(self) -> list[str]:
+        return [child.tag for child in self.inner]
 
 
 def refusals(text: str) -> list[Refusal]:
@@ -62,8 +69,9 @@ def refusals(text: str) -> list[Refusal]:
         return []
     if len({element.tag for element in reader.elements} & _NEEDED) < _MOST:
         return []
-    rules = (_of_one, _of_people, _of_licenses, _of_tags, _of_dependencies)
+    rules = (_of_one, _of_people, _of_licenses, _of_tags, _of_dependencies, _of_groups, _of_conditions, _of_types)
     refused = [refusal for rule in rules for refusal in rule(reader.format, reader.elements)]
+    refused += _of_root(reader.root)
     return sorted(refused, key=lambda refusal: refusal.line)
 
 
@@ -76,26 +84,34 @@ class _Reader:
         self.parser.EndElementHandler = self._end
         self.parser.CharacterDataHandler = self._data
         self.parser.StartDoctypeDeclHandler = self._doctype
-        self.elements: list[_Element] = []
+        self.root = _Element("package", {}, 1)
         self.format = 1
         self._depth = 0
+
+    @property
+    def elements(self) -> list[_Element]:
+        return self.root.inner
 
     def _doctype(self, *_: object) -> None:
         raise ValueError("a document type is not allowed here")
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self._depth += 1
+        element = _Element(tag, attributes, self.parser.CurrentLineNumber)
         if self._depth == 1:
+            self.root = element
             number = attributes.get("format", "1").strip()
-            self.format = int(number) if number in ("1", "2", "3") else 1
+            self.format = int(number) if number in ("1", "2", "3") else 3
         elif self._depth == 2:
-            self.elements.append(_Element(tag, attributes, self.parser.CurrentLineNumber))
+            self.elements.append(element)
         elif self._depth == 3:
-            self.elements[-1].children.append(tag)
+            self.elements[-1].inner.append(element)
 
     def _data(self, text: str) -> None:
         if self._depth == 2:
             self.elements[-1].text += text
+        elif self._depth == 3:
+            self.elements[-1].inner[-1].text += text
 
     def _end(self, _: str) -> None:
         self._depth -= 1
@@ -108,8 +124,22 @@ def _with(elements: Sequence[_Element], *tags: str) -> list[_Element]:
     return [element for element in elements if element.tag in tags]
 
 
+def _of_root(root: _Element) -> Iterator[Refusal]:
+    number = root.attributes.get("format", "1").strip()
+    if number not in ("1", "2", "3"):
+        yield Refusal(root.line, f"there is no format '{number}'", _FORMAT_3)
+    wrong = [name for name in root.attributes if name not in ("format", "xmlns") and ":" not in name]
+    if wrong:
+        yield Refusal(root.line, f"<package> has no attribute '{wrong[0]}'", "remove it")
+
+
 def _of_one(_: int, elements: Sequence[_Element]) -> Iterator[Refusal]:
-    """What there must be exactly once."""
+    """What there must be exactly once, and what there may be once."""
+    for tag in _AT_MOST_ONCE:
+        rows = _with(elements, tag)
+        if len(rows) > 1:
+            help = "put all into one of them" if tag == "export" else "keep one of them"
+            yield Refusal(rows[1].line, f"there are {len(rows)} <{tag}>s", help)
     for tag in _ONCE:
         rows = _with(elements, tag)
         if not rows:
@@ -191,6 +221,11 @@ def _of_dependencies(number: int, elements: Sequence[_Element]) -> Iterator[Refu
     for element in _with(elements, *tags):
         if element.text.strip() == name and element.tag != "group_depend":
             yield Refusal(element.line, f"'{name}' depends on itself", "remove the line")
+    seen: set[tuple[str, frozenset[tuple[str, str]]]] = set()
+    for element in _with(elements, "depend") if number > 1 else ():
+        if _same(element) in seen:  # it is held against what the first one stands for
+            yield Refusal(element.line, f"'{element.text.strip()}' has two <depend>s", "remove one of them")
+        seen.add(_same(element))
     pairs = {"depend": _COVERED} if number > 1 else {"test_depend": ("build_depend", "run_depend")}
     for tag, others in pairs.items():
         rows = {_same(element): element for element in reversed(_with(elements, *others))}
@@ -199,6 +234,33 @@ def _of_dependencies(number: int, elements: Sequence[_Element]) -> Iterator[Refu
             if twice is not None:
                 what = f"'{element.text.strip()}' has a <{tag}> and a <{twice.tag}>"
                 yield Refusal(twice.line, what, f"keep one: <{tag if number > 1 else twice.tag}> covers both")
+
+
+def _of_groups(_: int, elements: Sequence[_Element]) -> Iterator[Refusal]:
+    groups = {element.text.strip() for element in _with(elements, "member_of_group")}
+    for element in _with(elements, "group_depend"):
+        name = element.text.strip()
+        if name in groups:
+            yield Refusal(element.line, f"'{name}' is a group of the package, which depends on that", "remove the line")
+
+
+def _of_conditions(number: int, elements: Sequence[_Element]) -> Iterator[Refusal]:
+    """Conditions that cannot be read; where the format has none, that is what is told."""
+    conditional = [tag for tag, names in _known(number).items() if "condition" in names]
+    inner = [child for element in _with(elements, "export") for child in element.inner]
+    for element in [*_with(elements, *conditional), *inner]:
+        condition = element.attributes.get("condition")
+        if condition is not None and not is_condition(condition):
+            what = f"'{condition.strip()}' is no condition"
+            yield Refusal(element.line, what, "write one like $ROS_VERSION == 2")
+
+
+def _of_types(_: int, elements: Sequence[_Element]) -> Iterator[Refusal]:
+    """Several build types that hold wherever the package is built."""
+    inner = [child for element in _with(elements, "export") for child in element.inner]
+    types = [child for child in inner if child.tag == "build_type" and "condition" not in child.attributes]
+    if len(types) > 1:
+        yield Refusal(types[1].line, f"there are {len(types)} <build_type>s", "keep one of them")
 
 
 def _same(element: _Element) -> tuple[str, frozenset[tuple[str, str]]]:
