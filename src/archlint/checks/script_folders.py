@@ -12,6 +12,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.packaging.built_programs import BuiltOutOfSight, built_out_of_sight
 from archlint.packaging.script_folders import out_of_sight
+from archlint.packaging.unlisted_programs import UnlistedProgram, unlisted_programs
 from archlint.systems.model import System
 
 _DECLARED = "it is declared here"
@@ -36,9 +37,10 @@ def programs_out_of_sight(system: System, options: Options) -> Iterator[Finding]
         )
         yield replace(told, severity=Severity.INFO) if program is None else told
     yield from map(_built, built_out_of_sight(workspace) if workspace is not None else ())
+    yield from map(_unlisted, unlisted_programs(workspace) if workspace is not None else ())
 
 
-_BUILT = "built"
+_BUILT, _UNLISTED = "built", "unlisted"
 
 
 def _built(row: BuiltOutOfSight) -> Finding:
@@ -58,9 +60,27 @@ def _built(row: BuiltOutOfSight) -> Finding:
     )
 
 
+def _unlisted(row: UnlistedProgram) -> Finding:
+    told = [] if row.told is None else [Related(row.told, "it is to be started here")]
+    why = "no entry point names it" if row.told is not None else "the package has no entry points"
+    unlisted = finding(
+        "PKG013",
+        row.place,
+        f"ros2 run does not find '{row.name}', though {row.module} has a main(): {why}",
+        help=f"add '{row.name} = {row.module}:main' to console_scripts",
+        related=[*told, Related(row.main, "its main() is here")],
+        identity=(row.package, row.name),
+        group=(row.place.file, _UNLISTED),
+    )
+    return unlisted if row.told is not None else replace(unlisted, severity=Severity.WARNING)
+
+
 @folds("PKG013")
 def _of_one_file(findings: Sequence[Finding]) -> Finding:
-    """One finding for the programs of a CMake file that come to one folder."""
+    """One finding for the programs of a CMake file that come to one folder, or the modules that a setup.py makes none
+    of."""
+    if findings[0].group[1] == _UNLISTED:
+        return with_others(findings, "another module is", "more modules are", "no program, either")
     return with_others(findings, "another program is", "more programs are", "out of sight, too")
 
 

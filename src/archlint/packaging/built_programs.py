@@ -5,15 +5,13 @@ Source: ``get_executable_paths`` of ros2pkg lists ``lib/PACKAGE`` alone.
 
 from __future__ import annotations
 
-import posixpath
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
-from archlint.analysis.kept import once
 from archlint.launch_files.launch_code import started_programs
+from archlint.packaging.run_commands import told_to_run
 
 if TYPE_CHECKING:
     from archlint.place import Place
@@ -45,7 +43,7 @@ def built_out_of_sight(workspace: WorkspaceIndex) -> Iterator[BuiltOutOfSight]:
             executable = installs.executables.get(program)
             if executable is None or not executable.sources:
                 continue
-            launched, told = (name, program) in started, (name, program) in _told_to_run(workspace)
+            launched, told = (name, program) in started, (name, program) in told_to_run(workspace)
             if not astray.folder and not launched and told:
                 yield BuiltOutOfSight(executable, executable.place, "")
             amid_libraries = astray.folder == _LIBRARIES and _is_of_ros(workspace, executable)
@@ -55,20 +53,6 @@ def built_out_of_sight(workspace: WorkspaceIndex) -> Iterator[BuiltOutOfSight]:
 
 def _is_of_ros(workspace: WorkspaceIndex, executable: Executable) -> bool:
     return any(workspace.code.mentions(source, "rclcpp") for source in executable.sources)
-
-
-_TEXTS = re.compile(r"(?:.*\.(?:md|rst|txt|sh|bash|zsh|ya?ml|service)|(?:Docker|Make)file[\w.-]*)")
-_COMMAND = re.compile(r"\bros2[ \t]+run[ \t]+([\w-]+)[ \t]+([\w.-]+)")
-
-
-@once
-def _told_to_run(workspace: WorkspaceIndex) -> frozenset[tuple[str, str]]:
-    """Package and executable after each ``ros2 run`` in the documents and scripts of a workspace."""
-    rows: set[tuple[str, str]] = set()
-    for path in workspace.tree.files_below(workspace.tree.top):
-        text = workspace.tree.text(path) if _TEXTS.fullmatch(posixpath.basename(path)) else None
-        rows.update((call[1], call[2]) for call in _COMMAND.finditer(text or ""))
-    return frozenset(rows)
 
 
 __all__ = ["BuiltOutOfSight", "built_out_of_sight"]

@@ -38,7 +38,7 @@ def unlisted_modules(workspace: WorkspaceIndex) -> Iterator[Unlisted]:
 def _of_package(workspace: WorkspaceIndex, package: str, entries: dict[str, Executable]) -> Iterator[Unlisted]:
     folders: dict[str, dict[str, Place]] = {}
     for module, file in sorted(workspace.code.modules_of(package).items()):
-        place = None if workspace.roles.is_test(file) else _main_of(workspace, file)
+        place = None if workspace.roles.is_test(file) else main_of(workspace, file)
         if place is not None and "." in module:
             folders.setdefault(posixpath.dirname(file), {})[module] = place
     for modules in folders.values():
@@ -50,7 +50,8 @@ def _of_package(workspace: WorkspaceIndex, package: str, entries: dict[str, Exec
                 yield Unlisted(package, unlisted[0], place, entries[beside[0]])
 
 
-def _main_of(workspace: WorkspaceIndex, file: str) -> Place | None:
+def main_of(workspace: WorkspaceIndex, file: str) -> Place | None:
+    """Where a module defines its function ``main``; None where it does not."""
     file_facts = workspace.facts_at(file)
     for statement in [] if file_facts is None else file_facts.body:
         if isinstance(statement, facts.Function) and statement.name == "main":
@@ -58,4 +59,4 @@ def _main_of(workspace: WorkspaceIndex, file: str) -> Place | None:
     return None
 
 
-__all__ = ["Unlisted", "unlisted_modules"]
+__all__ = ["Unlisted", "main_of", "unlisted_modules"]
