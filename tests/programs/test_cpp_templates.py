@@ -74,6 +74,43 @@ def test_two_objects_of_a_template_have_types_of_their_own() -> None:
     ]
 
 
+NAMED_IN_A_HEADER = """
+#include "relay.hpp"
+namespace shop { using ScanRelay = Relay<sensor_msgs::msg::LaserScan, sensor_msgs::msg::PointCloud2>; }
+"""
+
+
+def types_with_a_header(code: str) -> list[tuple[str, str | None]]:
+    """The same where headers define the template, and give it a name with its arguments."""
+    files = {"include/relay.hpp": RELAY, "include/relays.hpp": NAMED_IN_A_HEADER, "CMakeLists.txt": CMAKE}
+    nodes = graph({**files, "src/main.cpp": '#include "relays.hpp"' + code})["nodes"]
+    assert [node["executable"] for node in nodes] == ["robot"]
+    ends = [end for node in nodes for kind in ("publishers", "subscribers") for end in node[kind]]
+    return sorted((end["name"], end["type"]) for end in ends)
+
+
+def test_a_header_names_a_template_with_its_arguments() -> None:
+    assert types_with_a_header(MAIN % 'std::make_shared<shop::ScanRelay>("scan")') == [
+        ("/scan/in", "sensor_msgs/msg/LaserScan"),
+        ("/scan/out", "sensor_msgs/msg/PointCloud2"),
+    ]
+
+
+def test_a_class_derives_from_a_template_that_a_header_names() -> None:
+    derived = """
+        class Doors : public shop::ScanRelay {
+        public:
+          Doors() : ScanRelay("doors") { count_ = create_publisher<std_msgs::msg::Int32>("~/count", 10); }
+          rclcpp::Publisher<std_msgs::msg::Int32>::SharedPtr count_;
+        };
+    """
+    assert types_with_a_header(derived + MAIN % "std::make_shared<Doors>()") == [
+        ("/doors/count", "std_msgs/msg/Int32"),
+        ("/doors/in", "sensor_msgs/msg/LaserScan"),
+        ("/doors/out", "sensor_msgs/msg/PointCloud2"),
+    ]
+
+
 def test_a_class_names_the_template_arguments_of_its_base() -> None:
     derived = """
         class Words : public Relay<std_msgs::msg::String> {

@@ -27,6 +27,7 @@ from archlint.interpreter.values import (
     Member,
     ModuleValue,
     OneOf,
+    Partial,
     PythonValue,
     SuperValue,
     Unknown,
@@ -72,6 +73,8 @@ def get_attribute(machine: Machine, value: Value, name: str, expression: facts.A
             return _of_function(value, name)
         case ApiMethod() if machine.activation.module.file.kind == "cpp":  # a field of a base from elsewhere
             return _of_unknown(machine, Unknown(f"'{value.path}' is not followed"), name)
+        case Partial(function=ClassValue() as cls) if machine.activation.module.file.kind == "cpp":
+            return _of_named_template(machine, value, cls, name)
     return _of_builtin_type(machine, value, name)
 
 
@@ -107,6 +110,12 @@ def _of_builtin_type(machine: Machine, value: Value, name: str) -> Value:
         case Builtin():
             return Builtin(f"{value.name}.{name}")
     return _not_followed(name)
+
+
+def _of_named_template(machine: Machine, value: Partial, cls: ClassValue, name: str) -> Value:
+    """What ``using ScanRelay = Relay<LaserScan>`` has: what the class has, its constructor with these arguments."""
+    member = _of_class(machine, cls, name)
+    return Partial(member, value.args, value.keywords) if name == "__init__" else member
 
 
 def _of_function(value: BoundMethod | FunctionValue, name: str) -> Value:

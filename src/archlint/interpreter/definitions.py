@@ -151,7 +151,7 @@ def _single_base(machine: Machine, value: Value) -> Value:
 
 
 def _is_class(value: Value) -> bool:
-    return isinstance(value, (ClassValue, External))
+    return isinstance(value, (ClassValue, External, Partial))
 
 
 def _base(machine: Machine, value: Value) -> Value:
@@ -160,6 +160,8 @@ def _base(machine: Machine, value: Value) -> Value:
             return External(machine.library.canonical(path))
         case Builtin(name=name):
             return External(name)
+        case Partial(function=ClassValue() as cls):  # a name of C++ for a class template with its arguments
+            return cls
     return value
 
 

@@ -262,7 +262,7 @@ class DeclarationLowering(CallLowering):
             self.names.declare(name)
             if parts and not self.names.path(parts):
                 self.names.templates[name] = parts
-            body.append(facts.Assign([facts.Name(name, span)], facts.Opaque("a type", span), span))
+            body.append(facts.Assign([facts.Name(name, span)], self._class_with_arguments(parts, span), span))
             return
         meant = [part.name for part in parts]
         if not self.names.scopes and _is_of_ros1(meant, self.names.aliases.get(name, [])):
@@ -270,6 +270,14 @@ class DeclarationLowering(CallLowering):
         value = self.names.resolve(parts, span)
         self.names.aliases[name] = meant
         body.append(facts.Assign([facts.Name(name, span)], value, span))
+
+    def _class_with_arguments(self, parts: list[Part], span: Span) -> Expr:
+        """What a name for ``Filter<Ekf>`` is to the files that include it: the class, made with these arguments."""
+        if self.names.scopes or not self.is_class(parts) or any(part.arguments for part in parts[:-1]):
+            return facts.Opaque("a type", span)
+        types = calls.template_arguments([self.lower_type(argument) for argument in parts[-1].arguments])
+        template = facts.Argument(self.names.resolve(parts, span))
+        return facts.Call(self.names.library("functools.partial", span), [template, *types], span)
 
     def using(self, node: Node, body: list[Stmt]) -> None:
         names = [part.name for child in node.named_children for part in self.names.parts(child)]
