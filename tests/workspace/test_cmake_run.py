@@ -106,6 +106,27 @@ def test_a_branch_that_compares_what_a_call_is_given():
     assert calls(made, "add_library") == [["drivers"]]
 
 
+@pytest.mark.parametrize(
+    ("of_ros1", "other"),
+    [
+        ('ROS_EDITION STREQUAL "ROS1"', "else()"),
+        ('"${ROS_EDITION}" STREQUAL "ROS1"', 'elseif("${ROS_EDITION}" STREQUAL "ROS2")'),
+        ('NOT ROS_EDITION STREQUAL "ROS2"', "else()"),
+        ("$ENV{ROS_VERSION} EQUAL 1", "else()"),
+        ('"$ENV{ROS_VERSION}" STREQUAL "1"', "elseif($ENV{ROS_VERSION} EQUAL 2)"),
+    ],
+)
+def test_of_two_editions_of_ros_the_second_is_built(of_ros1: str, other: str):
+    text = f"""
+        if({of_ros1})
+          add_executable(of_ros1)
+        {other}
+          add_executable(of_ros2)
+        endif()
+    """
+    assert calls(run(text)) == [["of_ros2"]]
+
+
 def test_what_a_build_may_be_configured_with_decides_no_branch():
     text = """
         set(BACKEND a CACHE STRING "which driver")

@@ -12,6 +12,9 @@ _VARIABLE = re.compile(r"\$\{([\w.+/-]+)\}")
 _PLAIN = re.compile(r"[a-z][\w./-]*")
 """A text without quotes that is hardly the name of a variable, which ``if`` would replace by its value."""
 
+_EDITIONS = frozenset({"ROS1", "ROS2"})
+"""What a variable of a package for both is compared with: ``if(ROS_EDITION STREQUAL "ROS1")``."""
+
 
 @dataclass
 class _Block:
@@ -75,10 +78,14 @@ def _holds(
     if negated:
         written, arguments = written[1:], arguments[1:]
     match [argument.text for argument in written]:
+        case ["$ENV{ROS_VERSION}", "STREQUAL" | "EQUAL", "1" | "2" as version]:
+            return (version == "2") != negated
         case [_, "STREQUAL", _] if len(arguments) == len(written):
             left, _, right = zip(written, arguments, strict=True)
             if all(_is_sure(*side, variables, known) for side in (left, right)):
                 return (left[1].text == right[1].text) != negated
+            if written[2].text in _EDITIONS:
+                return (written[2].text == "ROS2") != negated
     return None
 
 

@@ -1,7 +1,9 @@
 """Branches of the preprocessor that are no code, or hold no whole statements.
 
 ``#if A`` … ``if (x) {`` … ``#else`` … ``if (y) {`` … ``#endif`` is code in either case, and no tree can hold both: the
-first branch stays, with as many lines and columns as there were.  What ``#if 0`` leaves out is no code at all.
+first branch stays, with as many lines and columns as there were.  What ``#if 0`` leaves out is no code at all, nor is
+what a file that can be built for ROS 1, too, has behind macros of that name: ``#ifdef BUILDING_ROS1`` … ``#elif defined
+BUILDING_ROS2``.
 """
 
 from __future__ import annotations
@@ -11,7 +13,16 @@ import re
 from dataclasses import dataclass, field
 
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif)\b(?:\\\n|[^\n])*", re.MULTILINE)
-_NEVER = re.compile(rb"\s*#\s*if\s+(?:0|false)\s*(?://.*)?")
+_CONDITION = re.compile(
+    rb"\s*#\s*(?P<word>if|ifdef|ifndef|elif)\b\s*"
+    rb"(?P<no>!?)\s*(?:defined\b)?\s*\(?\s*(?P<name>\w+)\s*\)?\s*(?:==\s*(?P<value>\d+)\s*)?(?://.*|/\*.*)?"
+)
+_EDITION = re.compile(
+    rb"_*(?:(?:USE|BUILD|BUILDING|WITH|IS|FOR|ENABLE|HAS|HAVE)_)*ROS_?([12])(?:_(?:BUILD|ENABLED))?_*"
+)
+"""A macro for one of ROS 1 and ROS 2, such as ``USE_ROS2``."""
+_VERSION = re.compile(rb"_*ROS_VERSION_*")
+_NEVER = (b"0", b"false")
 _NO_CODE = re.compile(rb'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\'', re.DOTALL)
 
 
@@ -53,15 +64,38 @@ def with_whole_branches(data: bytes) -> bytes:
 
 
 def _left_out(data: bytes, directives: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """What to blank of an ``#if 0``: all of it, or all but its ``#else``."""
-    if not _NEVER.fullmatch(data[slice(*directives[0])]):
-        return []
-    second, last = directives[1], directives[-1]
-    if len(directives) == 2:
-        return [(directives[0][0], last[1])]
-    if len(directives) == 3 and b"else" in data[slice(*second)]:
-        return [(directives[0][0], second[1]), last]
-    return []
+    """What to blank of a block whose conditions are known, up to that of the branch that is code."""
+    blanked: list[tuple[int, int]] = []
+    for (start, end), (next_start, _) in itertools.pairwise(directives):
+        holds = _holds(data, data[start:end])
+        if holds is None:
+            return []
+        blanked.append((start, end))
+        if holds:
+            return [*blanked, (next_start, directives[-1][1])]
+        blanked.append((end, next_start))
+    return [*blanked, directives[-1]]
+
+
+def _holds(data: bytes, directive: bytes) -> bool | None:
+    """Whether a condition holds when the file is built for ROS 2; None where other things decide it."""
+    if directive.split(b"#", 1)[1].split()[:1] == [b"else"]:
+        return True
+    match = _CONDITION.fullmatch(directive)
+    if match is None:
+        return None
+    name, value = match["name"], match["value"]
+    negated = match["word"] == b"ifndef" or match["no"] == b"!"
+    if name in _NEVER:
+        return negated if match["word"] == b"if" and value is None else None
+    edition = _EDITION.fullmatch(name)
+    if re.search(rb"#\s*(?:define|undef)\s+" + re.escape(name) + rb"\b", data):
+        return None  # a macro of the file itself, such as the guard of a header
+    if edition is not None and value is None:
+        return (edition[1] == b"2") is not negated
+    if _VERSION.fullmatch(name) and value in (b"1", b"2"):
+        return (value == b"2") is not negated
+    return None
 
 
 def _unbalanced(data: bytes, directives: list[tuple[int, int]]) -> list[tuple[int, int]]:
