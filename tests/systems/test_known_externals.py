@@ -142,6 +142,34 @@ def test_a_bridge_may_have_more_than_its_arguments_say(started, more: str):
     assert node.is_stranger
 
 
+@pytest.mark.parametrize(
+    ("program", "option"),
+    [
+        ('pkg="ros_gz_sim" exec="create"', "-topic robot_description"),
+        ('pkg="ros_gz_sim" exec="create"', "--topic=robot_description"),
+        ('pkg="gazebo_ros" exec="spawn_entity.py"', "-entity robot -topic robot_description"),
+    ],
+)
+def test_what_spawns_a_model_listens_where_its_arguments_say(started, program: str, option: str):
+    [node] = started(f'<node {program} args="{option} -z 0.1"/>')
+    subscribed = [(end.name, end.type) for end in node.endpoints if end.kind == "subscriber" and not end.conditional]
+    assert subscribed == [("/robot_description", "std_msgs/msg/String")]
+    assert node.is_stranger  # plug-ins of the simulator have ends of their own
+
+
+def test_what_spawns_a_model_of_a_file_listens_to_nothing(started):
+    [node] = started('<node pkg="ros_gz_sim" exec="create" args="-file robot.sdf -name topic"/>')
+    assert list(node.endpoints) == []
+
+
+def test_a_bridge_of_images_publishes_what_its_arguments_name(started):
+    [node] = started('<node pkg="ros_gz_image" exec="image_bridge" args="/front/image depth" namespace="rover"/>')
+    assert [(end.kind, end.name) for end in node.endpoints] == [
+        ("publisher", "/front/image"),
+        ("publisher", "/rover/depth"),
+    ]
+
+
 def test_the_costmap_of_a_server_has_a_namespace_of_its_own(started):
     [costmap, server] = started(
         '<node pkg="nav2_planner" exec="planner_server" name="planner" namespace="rover"/>', "jazzy"

@@ -1,5 +1,6 @@
 """What a bridge to a simulator has in ROS: its arguments say so, ``/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan``,
-or a file that a parameter names.
+or a file that a parameter names; and the topic from which a program that spawns something in it is told what that is,
+``-topic robot_description``.
 
 Source: ros_gz_bridge, ``parameter_bridge.cpp``: ``@`` is for both ways, ``[`` from Gazebo to ROS, ``]`` the other way;
 a type of a service stands for one that the bridge offers.
@@ -13,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from archlint.launch.bridges import FILE
 from archlint.launch.parameter_sources import ParameterSetting
-from archlint.ros.external_nodes import EndKind, ExternalEnd
+from archlint.ros.external_nodes import EndKind, ExternalEnd, ExternalQos
 
 if TYPE_CHECKING:
     from archlint.launch.started import Started
@@ -26,6 +27,27 @@ _OTHERS = ("bridge_names", "bridges.")
 """How the parameters begin that say more of what is bridged."""
 _BRIDGED = re.compile(r"(?P<name>[~/\w]+)@(?P<type>\w+/(?P<kind>msg|srv)/\w+)(?P<way>[@\[\]])?[\w.]*")
 _ENDS: dict[str, tuple[EndKind, ...]] = {"[": ("publisher",), "]": ("subscriber",), "@": ("subscriber", "publisher")}
+_SPAWNERS = frozenset({("ros_gz_sim", "create"), ("gazebo_ros", "spawn_entity.py")})
+_OF_IMAGES = ("ros_gz_image", "image_bridge")
+_TOPIC = re.compile(r"--?topic(?:=(?P<name>.+))?")
+_LATCHED = ExternalQos("keep_last", 1, "reliable", "transient_local")
+
+
+def ends_of_arguments(started: Started) -> Iterator[ExternalEnd]:
+    """The ends that the command line of a program names which is no bridge of any type: the topic with the description
+    of what to spawn, or the images that are bridged."""
+    program = (started.package.text, started.executable.text)
+    if program in _SPAWNERS:
+        words = [word or "" for word in started.arguments]
+        for word, following in zip(words, [*words[1:], ""], strict=True):
+            match = _TOPIC.fullmatch(word)
+            name = "" if match is None else match["name"] or following
+            if name:
+                yield ExternalEnd("subscriber", name, "std_msgs/msg/String", _LATCHED)
+    elif program == _OF_IMAGES:
+        for name in started.arguments:
+            if name and not name.startswith("-"):
+                yield ExternalEnd("publisher", name, "sensor_msgs/msg/Image")
 
 
 def is_bridge(started: Started) -> bool:
@@ -85,4 +107,4 @@ def _is_of_file(word: str | None) -> bool:
     return word is not None and word.startswith(f"{FILE}:=")
 
 
-__all__ = ["bridged_ends", "is_bridge", "is_told_all"]
+__all__ = ["bridged_ends", "ends_of_arguments", "is_bridge", "is_told_all"]

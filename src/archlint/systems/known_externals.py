@@ -13,7 +13,7 @@ from archlint.model import Blueprint, Creation, EntityKind, ExecutorKind, Parame
 from archlint.ros import external_nodes
 from archlint.ros.distros import DISTROS
 from archlint.ros.qos import Qos
-from archlint.systems.bridged import bridged_ends, is_bridge, is_told_all
+from archlint.systems.bridged import bridged_ends, ends_of_arguments, is_bridge, is_told_all
 from archlint.systems.nodes import KnownExternal
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ def blueprint_of(row: ExternalNode, started: Started, distro: str | None) -> tup
         lifecycle=row.lifecycle,
         executor=ExecutorKind.UNKNOWN,
     )
-    every = [*_ends_in(row.ends, asked, read)]
+    every = [*_ends_in(row.ends, asked, read), *ends_of_arguments(started)]
     bridges = is_bridge(started)
     if bridges:
         every += bridged_ends(started)
