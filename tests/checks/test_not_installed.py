@@ -199,7 +199,7 @@ def test_a_setup_file_of_a_package_without_a_build_type_is_never_run(findings):
 def test_all_that_one_setup_file_leaves_out_is_one_finding(findings):
     files = CODE | {"robot/talker.py": "import robot.sounds.bell\n" + IMPORTS, "robot/sounds/bell.py": ""}
     (finding,) = findings("PKG004", **files, **{"setup.py": setup("['robot']")})
-    assert "leaves out robot.sounds, robot.words, which installed programs need" in finding.message
+    assert "leaves out robot.sounds, robot.words, which installed code needs" in finding.message
     assert finding.help == "add 'robot.sounds', 'robot.words' to packages="
 
 

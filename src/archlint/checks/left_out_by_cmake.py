@@ -19,7 +19,7 @@ _SHOWN = 5
 
 
 def left_out_by_cmake(workspace: WorkspaceIndex) -> Iterator[Finding]:
-    """Shared libraries of installed programs, and Python packages of installed scripts."""
+    """Shared libraries of installed programs, and Python packages of installed scripts and launch files."""
     for package, installs in understood(workspace).items():
         manifest = workspace.packages.get(package)
         if manifest is not None and manifest.build_type == "ament_cmake":
@@ -27,7 +27,9 @@ def left_out_by_cmake(workspace: WorkspaceIndex) -> Iterator[Finding]:
     by_folder: dict[str, list[LeftOutPackage]] = {}
     for row in packages_of_scripts(workspace):
         by_folder.setdefault(row.folder, []).append(row)
-    yield from map(_package, by_folder.values())
+    for rows in by_folder.values():
+        scripts = [row for row in rows if row.script is not None]
+        yield _package(scripts or rows)
 
 
 def _library(package: str, row: LeftLibrary) -> Finding:
@@ -43,17 +45,19 @@ def _library(package: str, row: LeftLibrary) -> Finding:
 
 def _package(rows: list[LeftOutPackage]) -> Finding:
     [first, *others] = rows
-    more = f" and {len(others)} more script{'s' * (len(others) > 1)}" if others else ""
+    kind = "launch file" if first.script is None else "script"
+    user = first.needed_at.file if first.script is None else f"the installed script '{first.script.name}'"
+    more = f" and {len(others)} more {kind}{'s' * (len(others) > 1)}" if others else ""
     imports = "import" if others else "imports"
+    place = first.needed_at if first.script is None else first.script.place
     return finding(
         "PKG004",
-        first.script.place,
-        f"the installed script '{first.script.name}'{more} {imports} '{first.name}', a folder that nothing installs "
-        "where Python looks: the import fails",
+        place,
+        f"{user}{more} {imports} '{first.name}', a folder that nothing installs where Python looks: the import fails",
         help=f"find ament_cmake_python, and write ament_python_install_package({first.name})",
         related=[Related(row.needed_at, f"'{row.name}' is imported here") for row in rows[:_SHOWN]],
         identity=(first.package, "package", first.name),
-        group=(first.script.place.file, "package", first.name),
+        group=(place.file, "package", first.name),
     )
 
 

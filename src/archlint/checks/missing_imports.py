@@ -29,6 +29,9 @@ def _finding(missing: MissingImport) -> Finding:
         message = f"'{module}' is not found once a console script imports this file: its folder is not on Python's path"
         help = f"write `from {missing.beside} import …`"
         help += f", and give {missing.without_init} an __init__.py" if missing.without_init else ""
+    elif missing.by_launch:
+        message = f"'{module}' is not found: launch loads this file by its path, and its folder is not on Python's path"
+        help = "move the module into the Python package of the workspace, and import it from there"
     elif missing.present:
         top = module.partition(".")[0]
         own = "." not in module or top == missing.present.partition(".")[0]

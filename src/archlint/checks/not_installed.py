@@ -113,7 +113,7 @@ def _code(workspace: WorkspaceIndex, package: str, rows: Sequence[LeftOut]) -> F
         groups.setdefault(_group(row.file, name), []).append(row)
     [first, *others] = groups
     if others:
-        what = f"packages= leaves out {listed([group.name for group in groups])}, which installed programs need"
+        what = f"packages= leaves out {listed([group.name for group in groups])}, which installed code needs"
     else:
         [row, *_] = groups[first]
         needed = f"in which the executable '{row.entry}' is" if row.entry else f"which {row.needed_at.file} imports"

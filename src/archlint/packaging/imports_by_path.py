@@ -36,7 +36,7 @@ def installed_name(workspace: WorkspaceIndex, file: SourceFile, module: str, nam
         if path is None or not _is_path_of(path, parts):
             continue
         doubled = parts[0] in workspace.code.modules and end == 1 and parts[0] == parts[1]
-        if (doubled or is_no_package(workspace, parts[0])) and not _says_where_to_look(workspace):
+        if (doubled or is_no_package(workspace, parts[0])) and not says_where_to_look(workspace):
             return _inside(workspace, file, name, names)
     return None
 
@@ -62,7 +62,8 @@ def _is_path_of(path: str, parts: Sequence[str]) -> bool:
 
 
 @once
-def _says_where_to_look(workspace: WorkspaceIndex) -> bool:
+@once
+def says_where_to_look(workspace: WorkspaceIndex) -> bool:
     """Whether a script, a container or a document of the workspace sets Python's path."""
     paths = workspace.tree.files_below(workspace.tree.top)
     return any("PYTHONPATH" in (workspace.tree.text(path) or "") for path in paths if path.endswith(_SETS_PATH))

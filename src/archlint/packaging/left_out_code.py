@@ -1,6 +1,6 @@
-"""Python code that installed programs import and that the setup.py of its package leaves out.
+"""Python code that installed programs and launch files import and that the setup.py of its package leaves out.
 
-Only imports that run whenever the program starts count: not those below an ``if`` or a ``try``.
+Only imports that run whenever the file is loaded count: not those below an ``if`` or a ``try``.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_aside
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.syntax import facts
@@ -46,6 +47,15 @@ def left_out_code(workspace: WorkspaceIndex) -> Iterator[LeftOut]:
             if is_entry_left_out(workspace, executable):
                 yield LeftOut(start, package, executable.place, executable.name, executable.module or "")
             yield from _imported_from(workspace, start, seen)
+    for file in launch_files_in_python(workspace):
+        yield from _imported_from(workspace, file, seen)
+
+
+def launch_files_in_python(workspace: WorkspaceIndex) -> list[str]:
+    """The launch files in Python that are in use; launch loads them by their paths, and their folder is not on
+    Python's."""
+    files = (file.relative for file, _ in workspace.code.asked_for() if file.kind == "launch_python")
+    return [file for file in files if not workspace.roles.is_test(file) and not is_aside(workspace, file)]
 
 
 def _file_of(workspace: WorkspaceIndex, executable: Executable) -> str | None:
@@ -183,5 +193,6 @@ __all__ = [
     "files_of_import",
     "has_init",
     "is_entry_left_out",
+    "launch_files_in_python",
     "left_out_code",
 ]

@@ -1,4 +1,4 @@
-"""Python packages that scripts which CMake installs import, and that no command installs.
+"""Python packages that scripts which CMake installs, and launch files, import, and that no command installs.
 
 Source: ``ament_python_install_package`` of ament_cmake_python, or an ``install()`` into ``PYTHON_INSTALL_DIR``, puts a
 folder of the source where Python looks; a script alone has its own folder on the path, ``lib/PACKAGE``.
@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.packaging.left_out_code import certain_imports, changes_path, has_init
+from archlint.packaging.left_out_code import certain_imports, changes_path, has_init, launch_files_in_python
 from archlint.packaging.uninstalled_files import understood
 from archlint.place import Place
 from archlint.ros.python_modules import is_known
@@ -28,12 +28,12 @@ _INSTALLS = frozenset({"ament_python_install_package", "ament_environment_hooks"
 
 @dataclass(frozen=True)
 class LeftOutPackage:
-    """A folder of Python code that an installed script imports by its name."""
+    """A folder of Python code that an installed script imports by its name, or a launch file where that is None."""
 
     name: str
     folder: str
     package: str
-    script: Executable
+    script: Executable | None
     needed_at: Place
 
 
@@ -48,9 +48,14 @@ def packages_of_scripts(workspace: WorkspaceIndex) -> Iterator[LeftOutPackage]:
         for script in installs.executables.values():
             if script.script is not None and not script.wrong:
                 yield from _left_out(workspace, installs, script, script.script)
+        for file in launch_files_in_python(workspace):
+            if workspace.package_of(file) == package:
+                yield from _left_out(workspace, installs, None, file)
 
 
-def _left_out(workspace: WorkspaceIndex, installs: Installs, script: Executable, path: str) -> Iterator[LeftOutPackage]:
+def _left_out(
+    workspace: WorkspaceIndex, installs: Installs, script: Executable | None, path: str
+) -> Iterator[LeftOutPackage]:
     code = workspace.facts_at(path)
     if code is None or changes_path(workspace, path):
         return

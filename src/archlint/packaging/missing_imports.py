@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Union
 from archlint.analysis.kept import kept, kept_for_each_file, once
 from archlint.packaging.entry_points import is_on_disk
 from archlint.packaging.imports_by_path import absolute, installed_name, module_of_package
+from archlint.packaging.imports_of_launch_files import is_installed_package, is_only_beside
 from archlint.packaging.mistaken_imports import interfaces_of, kind_left_out, near_module
 from archlint.packaging.renamed_packages import present_name
 from archlint.place import Place
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
 
 _Import = Union[facts.Import, facts.ImportFrom]
+_KINDS = ("python", "launch_python")
 _INTERFACES = frozenset({"action", "msg", "srv"})
 _COMPILED = frozenset({"cython", "generate_parameter_module", "nanobind", "pybind11", "python_add_library", "swig"})
 """Words of a build that makes modules which no file of Python is."""
@@ -56,6 +58,8 @@ class MissingImport:
     """What the module is called now that its package has another name."""
     interfaces: str = ""
     """The module that has the ``name``, an interface, where it is imported from the package itself."""
+    by_launch: bool = False
+    """Whether the module lies beside a launch file, which launch loads by its path."""
     names: tuple[str, ...] = ()
     """What is imported from a module of which the top-level name is a slip."""
 
@@ -68,7 +72,7 @@ def missing_imports(workspace: WorkspaceIndex) -> list[MissingImport]:
 
 def _missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
     for file, _ in workspace.code.judged():
-        if file.kind != "python" or file.package is None or workspace.roles.is_test(file.relative):
+        if file.kind not in _KINDS or file.package is None or workspace.roles.is_test(file.relative):
             continue
         for written, level, names, span in _imports(workspace, file.relative) or ():
             place, module = Place(file.relative, *span), absolute(file, written, level)
@@ -77,10 +81,27 @@ def _missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
                 continue
             names = [name for name in names if name != compiled]
             beside = not level and span not in _of_scripts(workspace, file.relative)
-            missing = _beside(workspace, file, module, place) if beside else None
-            missing = missing or _absent(workspace, file, module, names, place)
-            missing = missing or (_nowhere(workspace, file, module, names, place) if beside else None)
-            yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
+            judged = _of_launch_file if file.kind == "launch_python" else _of_import
+            yield from judged(workspace, file, module, names, place, beside)
+
+
+def _of_import(
+    workspace: WorkspaceIndex, file: SourceFile, module: str, names: list[str], place: Place, beside: bool
+) -> Iterator[MissingImport]:
+    missing = _beside(workspace, file, module, place) if beside else None
+    missing = missing or _absent(workspace, file, module, names, place)
+    missing = missing or (_nowhere(workspace, file, module, names, place) if beside else None)
+    yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
+
+
+def _of_launch_file(
+    workspace: WorkspaceIndex, file: SourceFile, module: str, names: list[str], place: Place, beside: bool
+) -> Iterator[MissingImport]:
+    if is_installed_package(workspace, module):
+        missing = _absent(workspace, file, module, names, place)
+        yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
+    elif beside and is_only_beside(workspace, file, module):
+        yield MissingImport(place, module, by_launch=True)
 
 
 def _compiled_part(file: SourceFile) -> str:
