@@ -18,6 +18,7 @@ from archlint.launch_files.shown_files import is_shown_only
 from archlint.launch_files.unadded_programs import unadded_programs
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
 from archlint.packaging.entry_points import is_empty, only_defines_node, starts_nothing
+from archlint.packaging.unbuilt_programs import unbuilt_source
 from archlint.ros.released_programs import launch_file_instead, programs_instead, programs_of
 from archlint.suggestions import did_you_mean, listed, nearest
 
@@ -369,6 +370,10 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> _Advic
     if len(meant) == 1:  # nearer than another node of a similar name
         help = f"install it in {build} under the name '{name}'"
         return _Advice(f"; {meant[0]} exists but is not installed", help, is_left_out=True)
+    if unbuilt := unbuilt_source(workspace, installs, stems):
+        return _Advice(
+            f"; {unbuilt} exists, and no target compiles it", f"add a target for it to {build}, and install it"
+        )
     if name in programs_of(installs.package):
         return _Advice(
             "; the package of ROS with that name does, and this one hides it",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -12,6 +13,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.packaging.built_programs import BuiltOutOfSight, built_out_of_sight
 from archlint.packaging.script_folders import out_of_sight
+from archlint.packaging.unbuilt_programs import UnbuiltProgram, unbuilt_programs
 from archlint.packaging.unlisted_programs import UnlistedProgram, unlisted_programs
 from archlint.systems.model import System
 
@@ -38,9 +40,10 @@ def programs_out_of_sight(system: System, options: Options) -> Iterator[Finding]
         yield replace(told, severity=Severity.INFO) if program is None else told
     yield from map(_built, built_out_of_sight(workspace) if workspace is not None else ())
     yield from map(_unlisted, unlisted_programs(workspace) if workspace is not None else ())
+    yield from map(_unbuilt, unbuilt_programs(workspace) if workspace is not None else ())
 
 
-_BUILT, _UNLISTED = "built", "unlisted"
+_BUILT, _UNLISTED, _UNBUILT = "built", "unlisted", "not built"
 
 
 def _built(row: BuiltOutOfSight) -> Finding:
@@ -75,10 +78,28 @@ def _unlisted(row: UnlistedProgram) -> Finding:
     return unlisted if row.told is not None else replace(unlisted, severity=Severity.WARNING)
 
 
+def _unbuilt(row: UnbuiltProgram) -> Finding:
+    is_script = row.file.endswith(".py")
+    below = posixpath.relpath(row.file, posixpath.dirname(row.place.file) or ".")
+    renamed = f" RENAME {row.name}" if posixpath.basename(row.file) != row.name else ""
+    script = f"install(PROGRAMS {below} DESTINATION lib/${{PROJECT_NAME}}{renamed})"
+    return finding(
+        "PKG013",
+        row.place,
+        f"ros2 run does not find '{row.name}': nothing {'installs' if is_script else 'compiles'} {row.file}",
+        help=f"add {script}" if is_script else f"add a target: add_executable({row.name} {below}), and install it",
+        related=[Related(row.told, "it is to be started here")],
+        identity=(row.package, row.name),
+        group=(row.place.file, _UNBUILT),
+    )
+
+
 @folds("PKG013")
 def _of_one_file(findings: Sequence[Finding]) -> Finding:
     """One finding for the programs of a CMake file that come to one folder, or the modules that a setup.py makes none
     of."""
+    if findings[0].group[1] == _UNBUILT:
+        return with_others(findings, "another file is", "more files are", "left out, too")
     if findings[0].group[1] == _UNLISTED:
         return with_others(findings, "another module is", "more modules are", "no program, either")
     return with_others(findings, "another program is", "more programs are", "out of sight, too")

@@ -37,12 +37,13 @@ def runs_nowhere(workspace: WorkspaceIndex, file: str) -> bool:
 
 def _is_built_by_nothing(workspace: WorkspaceIndex, file: str) -> bool:
     installs = workspace.installs.get(workspace.package_of(file) or "")
-    if installs is None or not _is_unknown_to_cmake(workspace, installs, file):
+    if installs is None or not is_unknown_to_cmake(workspace, installs, file):
         return False
     return not _is_included(workspace, installs, posixpath.basename(file))
 
 
-def _is_unknown_to_cmake(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
+def is_unknown_to_cmake(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
+    """Whether no CMake file of a package has a word for a file, by its name without the ending."""
     if not file.startswith(f"{installs.folder}/".removeprefix("./")):
         return False
     texts = _cmake_texts(workspace).get(installs.package, [])
@@ -56,7 +57,7 @@ def _is_unknown_to_cmake(workspace: WorkspaceIndex, installs: Installs, file: st
 def _is_left_header(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether nothing includes a header, no CMake file has a word for it, and its package does not install it."""
     installs = workspace.installs.get(workspace.package_of(file) or "")
-    if installs is None or installs.open_files or not _is_unknown_to_cmake(workspace, installs, file):
+    if installs is None or installs.open_files or not is_unknown_to_cmake(workspace, installs, file):
         return False
     if any(file.startswith(f"{row.source}/") if row.folder else file == row.source for row in installs.files):
         return False
@@ -92,4 +93,4 @@ def _cmake_texts(workspace: WorkspaceIndex) -> dict[str, list[str]]:
     }
 
 
-__all__ = ["runs_nowhere"]
+__all__ = ["is_unknown_to_cmake", "runs_nowhere"]
