@@ -203,3 +203,25 @@ def test_the_table_is_read_only_where_something_is_started_that_is_not_here(
     write_robot(tmp_path, '<node pkg="acme" exec="camera"/>')
     with pytest.raises(NothingToDo):
         graph(request)
+
+
+@pytest.mark.parametrize(
+    ("inside", "is_open"),
+    [
+        ("", False),
+        ('<param name="rate" value="30"/>', False),
+        ('<param name="source_list" value="[arm/joint_states]"/>', True),
+        ('<param from="elsewhere.yaml"/>', True),
+    ],
+    ids=["nothing", "another parameter", "the parameter", "a file"],
+)
+def test_a_question_that_a_parameter_decides_is_open_where_that_may_be_set(started, inside: str, is_open: bool):
+    [node] = started(f'<node pkg="joint_state_publisher" exec="joint_state_publisher">{inside}</node>')
+    assert node.is_stranger is is_open
+
+
+@pytest.mark.parametrize("arguments", ["--ros-args -p source_list:=[a]", "$(var unknown)"])
+def test_an_argument_may_set_the_parameter_that_decides(started, arguments: str):
+    declared = '<arg name="unknown"/>'
+    [node] = started(f'{declared}<node pkg="joint_state_publisher" exec="joint_state_publisher" args="{arguments}"/>')
+    assert node.is_stranger

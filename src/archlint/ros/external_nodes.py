@@ -61,6 +61,8 @@ class OpenQuestion(msgspec.Struct, frozen=True, omit_defaults=True):
 
     reason: str
     distros: tuple[str, ...] = ()
+    parameter: str | None = None
+    """The parameter that decides it: with its default there is nothing more."""
 
 
 class ExternalNode(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unknown_fields=True):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from archlint.launch.parameter_sources import ParameterSetting
 from archlint.model import Blueprint, Creation, EntityKind, ExecutorKind, ParameterDeclaration, Text
 from archlint.ros import external_nodes
 from archlint.ros.distros import DISTROS
@@ -74,13 +75,28 @@ def blueprint_of(row: ExternalNode, started: Started, distro: str | None) -> tup
     blueprint.creations.extend(_creation(end, blueprint, started.place) for end in every)
     blueprint.parameters.extend(_declarations(row.parameters, blueprint, started.place, asked))
     questions = () if bridges and is_told_all(started) else row.open
-    reasons = [question.reason for question in questions if _is_in(question.distros, asked)]
+    reasons = [
+        question.reason
+        for question in questions
+        if _is_in(question.distros, asked)
+        and (question.parameter is None or may_be_set(question.parameter, started) or not read)
+    ]
     if not read:
         reasons.append(f"its source in {distro} was not read")
     versions = row.versions if distro is None or not read else {distro: row.versions.get(distro, "")}
     any_parameter = row.takes_any_parameter or not read
     known = KnownExternal(row.source, dict(versions), tuple(reasons), any_parameter, row.conditional)
     return blueprint, known
+
+
+def may_be_set(name: str, started: Started) -> bool:
+    """Whether a launch file may give a process this parameter."""
+    words = started.arguments
+    if started.ros_arguments or not started.knows_all_arguments or None in words or "--ros-args" in words:
+        return True
+    return any(
+        not isinstance(row, ParameterSetting) or row.sets_anything or row.name == name for row in started.parameters
+    )
 
 
 def _text(name: str | None) -> Text:
