@@ -1,5 +1,5 @@
 """How far launch files load, and whether every node action in them is accounted for: ``python -m
-benchmarks.launches.coverage CHECKOUT… [--misses]``.
+benchmarks.launches.coverage CHECKOUT… [--misses | --nodes]``.
 
 All launch files of a checkout (test code and ROS 1 left out) are loaded with their default arguments.  A file is
 loaded *fully* where everything on its way was followed, *partly* where something was not (an include of a package
@@ -14,6 +14,9 @@ left out.  An action is accounted for where a launch starts a node at its place:
 code is elsewhere (*external*), or one under a condition that the defaults do not meet (*not
 taken*).  *Not reached* are those in code that the launch files do not run with their defaults, *unresolved* those in
 a file with something that was not followed, *put nowhere* those that a run came past and that no description holds.
+
+``--nodes`` counts the nodes that launch files start, each once for its place, program and name, and lists the programs
+of which nothing is known, those of most checkouts first.  An *open* node is known and may have more than that.
 """
 
 from __future__ import annotations
@@ -24,6 +27,7 @@ import re
 import sys
 import tokenize
 from collections import Counter
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from archlint.config.settings import Settings
@@ -164,12 +168,55 @@ def measure(root: Path) -> tuple[Counter[str], Counter[str], list[str]]:
     return files, kinds, told
 
 
+@dataclass
+class StartedNodes:
+    """What launch files start."""
+
+    kinds: Counter[str] = field(default_factory=Counter)
+    unknown: Counter[str] = field(default_factory=Counter)
+    """The programs of which nothing is known, with the number of checkouts."""
+
+    def add(self, systems: list[System]) -> Counter[str]:
+        """Count the nodes of one checkout."""
+        nodes = {
+            (node.launch_place, node.package, node.executable, node.name): node
+            for system in systems
+            if system.launched is not None
+            for node in system.nodes
+            if node.started is not None
+        }
+        kinds = Counter(_kind(node) for node in nodes.values())
+        kinds["open"] = sum(_kind(node) == "known" and node.is_stranger for node in nodes.values())
+        self.kinds += kinds
+        self.unknown.update(
+            {f"{node.package}/{node.executable}" for node in nodes.values() if _kind(node) == "external"}
+        )
+        return kinds
+
+
+def list_nodes(roots: list[Path]) -> None:
+    started = StartedNodes()
+    print("| checkout | nodes | here | known | open | unknown |\n|---|---|---|---|---|---|")
+    for root in roots:
+        print(_row_of_nodes(root.name.replace("+", "/"), started.add(systems_of(root))), flush=True)
+    print(_row_of_nodes("all", started.kinds))
+    print(*(f"{count} {program}" for program, count in started.unknown.most_common()), sep="\n")
+
+
+def _row_of_nodes(name: str, kinds: Counter[str]) -> str:
+    nodes = sum(kinds[kind] for kind in KINDS[:3])
+    return f"| {name} | {nodes} | " + " | ".join(str(kinds[k]) for k in ("here", "known", "open", "external")) + " |"
+
+
 def frontends(launch_files: LaunchFiles) -> list[str]:
     return [path for path in launch_files.all() if path.endswith((".launch", ".xml"))]
 
 
 def main() -> None:
     roots = [Path(argument).resolve() for argument in sys.argv[1:] if not argument.startswith("-")]
+    if "--nodes" in sys.argv:
+        list_nodes(roots)
+        return
     print("| checkout | fully | partly | not at all | ROS 1 | node actions | " + " | ".join(KINDS) + " |")
     print("|---|" + "---|" * (5 + len(KINDS)))
     all_files: Counter[str] = Counter()
