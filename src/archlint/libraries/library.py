@@ -11,6 +11,7 @@ from archlint.interpreter.library import Library
 from archlint.interpreter.values import ApiMethod, Builtin, External, ForeignValue, Instance, Known, Unknown, Value
 from archlint.libraries import calls, classes, interest, own_attributes, refused_calls
 from archlint.libraries.api_signatures import attributes_of
+from archlint.libraries.module_names import module_behind
 from archlint.libraries.offers import OFFERS
 from archlint.libraries.python import command_line, environment, tasks
 from archlint.libraries.rclpy import (
@@ -91,7 +92,7 @@ class RosLibrary(Library):
 
     def imported(self, path: str, span: facts.Span) -> Value:
         interfaces.note_interface(self.run, path, span)
-        return interfaces.missing_interface(self.run, path) or External(path)
+        return interfaces.missing_interface(self.run, path) or External(module_behind(path) or path)
 
     def header_missing(self, path: str, span: facts.Span) -> None:
         interfaces.note_header(self.run, path, span)
@@ -103,6 +104,8 @@ class RosLibrary(Library):
         path = f"{value.path}.{name}"
         if path == "sys.argv":
             return command_line.program_arguments(self.run)
+        if (package := module_behind(path)) is not None:
+            return External(package, value.via)
         constant = attributes.interface_constant(self.run, value.path, name)
         return constant or interfaces.missing_interface(self.run, path) or External(path, value.via)
 

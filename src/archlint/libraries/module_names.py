@@ -40,6 +40,20 @@ def lacks(module: str, name: str) -> bool:
     return not (has or name.startswith("_") or f"{module}.{name}" in _table())
 
 
+_NOTHING_ELSE = frozenset({"launch_ros", "rclpy"})
+"""Packages whose name nobody gives to anything else."""
+
+
+def module_behind(path: str) -> str | None:
+    """The package that a name means which a module only has as it imports that package: ``rclpy.logging.rclpy``."""
+    owner, _, name = path.rpartition(".")
+    if not owner or name not in _table():
+        return None
+    row = _table().get(owner)
+    imports = name in _NOTHING_ELSE and not is_known(owner) if row is None else name in row.imported
+    return name if imports else None
+
+
 def near_name(module: str, name: str) -> str:
     """What a module offers by almost the same name; empty where there is nothing."""
     row = _table().get(module)
@@ -83,4 +97,4 @@ def _parsed(names: str) -> _Module:
     return _Module(frozenset(offered.split()), frozenset(imported.split()))
 
 
-__all__ = ["is_known", "is_module", "lacks", "modules_with", "near_module", "near_name"]
+__all__ = ["is_known", "is_module", "lacks", "module_behind", "modules_with", "near_module", "near_name"]
