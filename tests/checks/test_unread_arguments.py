@@ -190,3 +190,37 @@ def test_an_example_that_another_launch_file_starts(findings):
     outer = '<include file="$(find-pkg-share robot)/launch/example.launch.py"/>'
     (told,) = findings("LCH011", outer, **{"launch/example.launch.py": _file()["launch/it.launch.py"]})
     assert told.place.file == "launch/example.launch.py"
+
+
+RECORDING = """\
+from launch.actions import ExecuteProcess
+from launch.substitutions import LaunchConfiguration
+
+
+def recording(context, switch='record', argument='{argument}'):
+    if LaunchConfiguration(switch).perform(context) != 'true':
+        return []
+    return [ExecuteProcess(cmd=['perf', LaunchConfiguration(argument)])]
+"""
+WITH_HELPER = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch_ros.actions import Node
+
+from robot.recording import recording
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('record', default_value='false'),
+        DeclareLaunchArgument('speed', default_value='1.0'),
+        Node(package='robot', executable='talker'),
+        OpaqueFunction(function=recording),
+    ])
+"""
+
+
+@pytest.mark.parametrize(("argument", "lines"), [("speed", []), ("events", [11])])
+def test_a_name_in_a_default_of_a_function_of_another_module(findings, argument: str, lines: list[int]):
+    files = {"launch/it.launch.py": WITH_HELPER, "robot/recording.py": RECORDING.format(argument=argument)}
+    assert [told.place.line for told in findings("LCH011", **files)] == lines

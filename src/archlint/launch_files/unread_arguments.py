@@ -112,8 +112,10 @@ def _read_where_included(workspace: WorkspaceIndex) -> dict[str, frozenset[str]]
 
 
 def may_be_read(workspace: WorkspaceIndex, launched: Launched, name: str) -> bool:
-    """Whether any code of a launch may read an argument, be it where the run did not come to."""
-    return any(_may_read(workspace, file, name) for file in launched.sources)
+    """Whether any code of a launch may read an argument, be it where the run did not come to, such as a function of a
+    module that a launch file imports."""
+    imported = workspace.code.reached_from(launched.sources)
+    return any(_may_read(workspace, file, name) for file in (*launched.sources, *sorted(imported)))
 
 
 def _may_read(workspace: WorkspaceIndex, file: str, name: str) -> bool:
