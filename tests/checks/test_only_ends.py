@@ -73,3 +73,21 @@ def test_one_name(tmp_path, monkeypatch):
 )
 def test_another_end_that_there_may_be(tmp_path, monkeypatch, file, text):
     assert told(tmp_path, monkeypatch, "grasp", "wanted_force", **{file: text}) == []
+
+
+REMAPPED = """<launch>
+<node pkg="arm" exec="eye"><remap from="left_grasp" to="{to}"/></node>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(
+    ("to", "lines"),
+    [
+        ("/left/grasp", []),  # whoever starts the launch file has the names meet
+        ("/right/grasp", ["arm/arm/hand.py:9"]),
+    ],
+)
+def test_a_launch_file_that_remaps_one_name_onto_the_other(tmp_path, monkeypatch, to: str, lines: list[str]):
+    launch = {"arm/launch/it.launch.xml": REMAPPED.format(to=to)}
+    assert told(tmp_path, monkeypatch, "/left/grasp", "left_grasp", **launch) == lines

@@ -29,6 +29,7 @@ from archlint.systems.externals import UsedNames
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
+    from archlint.architecture import ConnectionKind
     from archlint.finding import Place
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Connection, Endpoint
@@ -68,6 +69,7 @@ def missed(
         and not options.is_external(connection.name)
         and not unread.holds(connection.name)
         and not _is_made_by_launch(system, connection.name)
+        and not _is_joined_by_launch(system, connection)
     ]
     provided = _by_type(connection for connection in alone if not connection.users)
     only = OnlyOnes(alone)
@@ -96,6 +98,32 @@ def _is_made_by_launch(system: System, name: str) -> bool:
         return False
     private = _private_names(system.workspace)
     return any(name[at + 1 :] in private for at, letter in enumerate(name) if letter == "/")
+
+
+def _is_joined_by_launch(system: System, connection: Connection) -> bool:
+    """Whether a launch file, of which this system has nothing, gives an end of the other side the name that has only
+    this one here, by a remapping or a namespace: ``left_cmd`` becomes ``/left/cmd``."""
+    if system.name is not None or system.workspace is None:
+        return False
+    return (connection.kind, connection.name, not connection.providers) in _sides_of_launched(system.workspace)
+
+
+@once
+def _sides_of_launched(workspace: WorkspaceIndex) -> frozenset[tuple[ConnectionKind, str, bool]]:
+    """Kind and name of what nodes use or provide in what launch files start, and whether they provide it."""
+    launched = (system for system in workspace.systems if system.launched is not None)
+    connections = (
+        connection
+        for system in launched
+        for several in (system.topics, system.services, system.actions)
+        for connection in several.values()
+    )
+    return frozenset(
+        (connection.kind, connection.name, provides)
+        for connection in connections
+        for provides, ends in ((True, connection.providers), (False, connection.users))
+        if ends
+    )
 
 
 @once
