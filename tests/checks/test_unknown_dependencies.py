@@ -460,3 +460,21 @@ def test_a_name_that_nothing_else_has_beside_one_that_was_meant_for_another(judg
     """What is certain is not hidden behind what is not."""
     told = judge("<depend>acme_interfaces</depend>", "<depend>Eigen3</depend>")
     assert [(row.severity, row.place.line) for row in told] == [(Severity.INFO, 3), (Severity.WARNING, 4)]
+
+
+REPOS = "repositories:\n  acme/{}:\n    type: git\n    url: https://example.com/acme/{}.git\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"src/plan.cpp": "#include <rclcpp/rclcpp.hpp>\n#include <gpsr_msgs/srv/plan.hpp>\n"}, 0),
+        ({"robot/plan.py": "import rclpy\nfrom gpsr_msgs.srv import Plan\n"}, 0),
+        ({"acme.repos": REPOS.format("gpsr_msgs", "gpsr_msgs")}, 0),
+        ({"src/plan.cpp": "#include <rclcpp/rclcpp.hpp>\n#include <gps_msgs/msg/gps_fix.hpp>\n"}, 1),
+        ({"acme.repos": REPOS.format("arm", "arm")}, 1),
+    ],
+)
+def test_a_package_from_elsewhere_that_another_resembles(judge: Judge, files: dict[str, str], told: int):
+    rows = judge("<depend>gpsr_msgs</depend>", build="ament_cmake", **files)
+    assert [row.help for row in rows] == ["write 'gps_msgs' instead"] * told

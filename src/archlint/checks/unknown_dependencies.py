@@ -13,6 +13,7 @@ from archlint.checks.folding import folds, with_others, with_the_same_cause
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.connections.parts_elsewhere import is_fetched
 from archlint.finding import Finding, Place, Severity
 from archlint.packaging.absent_packages import has_a_rule_for_rosdep, is_a_key_of_some_file
 from archlint.packaging.idle_dependencies import is_idle
@@ -81,7 +82,10 @@ def _unknown(
         yield _finding(package, dependency, "", _instead_of_build_type(workspace, package, dependency))
         return
     is_python = _is_of_python(workspace, package, name)
-    meant = rosdep.meant_by(name, there, is_python=is_python) or _successor(workspace, name)
+    successor = _successor(workspace, name)
+    meant = rosdep.meant_by(name, there, is_python=is_python) or successor
+    if meant in there and successor is None and _is_from_elsewhere(workspace, package, name):
+        return
     meant = meant or _imported(workspace, package, name, there)
     meant = _PYTHON if meant == _CPP and _is_rclpy(workspace, package, dependency) else meant
     is_python = is_python or imports_beside_nodes(workspace, package, name)
@@ -107,6 +111,15 @@ def _imported(workspace: WorkspaceIndex, package: Package, name: str, there: fro
     files = workspace.code.files_of(package.name) if near else ()
     used = [other for other in near if any(workspace.code.mentions(path, other) for path in files)]
     return used[0] if len(used) == 1 else None
+
+
+def _is_from_elsewhere(workspace: WorkspaceIndex, package: Package, name: str) -> bool:
+    """Whether a name that nobody knows, and that another resembles, is that of a package which is not here: code of the
+    package has it as it is, ``#include <gpsr_msgs/msg/…>``, or a ``.repos`` file brings it."""
+    used = workspace.code.cpp_files_that_mention(name)
+    by_cpp = any(workspace.package_of(path) == package.name for path in used)
+    by_python = any(workspace.code.mentions(path, name) for path in workspace.code.files_of(package.name))
+    return by_cpp or by_python or is_fetched(workspace, name)
 
 
 _CPP, _PYTHON = "rclcpp", "rclpy"
