@@ -53,6 +53,7 @@ def test_a_library_that_an_installed_program_needs(told, lines, needed):
         INSTALLED + "install(FILES $<TARGET_FILE:core> DESTINATION lib)\n",
         INSTALLED + "install_all(core)\n",
         "set(CMAKE_INSTALL_RPATH ${CMAKE_BINARY_DIR})\n" + INSTALLED,
+        "add_library(Acme::Acme SHARED IMPORTED)\n" + INSTALLED.replace("talker core", "talker Acme::Acme"),
         INSTALLED + "if(SHIPPED)\n  install(TARGETS core DESTINATION lib)\nendif()\n",
     ],
 )

@@ -25,7 +25,7 @@ def left_libraries(steps: Sequence[Step], words: frozenset[str]) -> Iterator[Lef
     libraries = {
         step.command.texts[0]: step
         for step in steps
-        if step.command.name == "add_library" and "SHARED" in step.command.texts[1:2] and not step.conditional
+        if step.command.name == "add_library" and _is_built(step.command.texts) and not step.conditional
     }
     for name, step in libraries.items():
         if installed is None or name in installed or step.command.arguments[0].open or _is_named_elsewhere(steps, name):
@@ -35,6 +35,12 @@ def left_libraries(steps: Sequence[Step], words: frozenset[str]) -> Iterator[Lef
             argument = step.command.arguments[0]
             end = argument.column + len(argument.text)
             yield LeftLibrary(name, needed, Place(step.file, argument.line, argument.column, argument.line, end))
+
+
+def _is_built(texts: Sequence[str]) -> bool:
+    """Whether ``add_library`` builds a shared library: one that is imported is there already, and CMake refuses to
+    install its target."""
+    return "SHARED" in texts[1:2] and "IMPORTED" not in texts
 
 
 def _installed(steps: Sequence[Step]) -> frozenset[str] | None:
