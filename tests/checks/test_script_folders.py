@@ -112,6 +112,7 @@ def built(lines: str, **files: str) -> dict[str, str]:
         ("install(TARGETS driver DESTINATION ${CMAKE_INSTALL_BINDIR})", "bin"),
         ("install(TARGETS driver DESTINATION lib/rbot)", "lib/rbot"),
         ("install(TARGETS driver ARCHIVE DESTINATION lib LIBRARY DESTINATION lib RUNTIME DESTINATION bin)", "bin"),
+        ("install(TARGETS driver RUNTIME DESTINATION lib/robot DESTINATION bin)", "bin"),
         ("install(TARGETS driver LIBRARY DESTINATION lib/robot)", "bin"),  # that is for libraries alone
     ],
 )
@@ -155,6 +156,7 @@ def test_the_programs_of_one_folder_are_one_finding(findings):
         "install(TARGETS driver DESTINATION lib/robot/)",
         "install(TARGETS driver RUNTIME DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/robot LIBRARY DESTINATION lib)",
         "install(TARGETS driver DESTINATION ${CMAKE_INSTALL_LIBDIR}/${PROJECT_NAME})",
+        "install(TARGETS driver LIBRARY DESTINATION lib RUNTIME DESTINATION bin DESTINATION lib/robot)",
         "install(TARGETS driver DESTINATION ${WHERE})",
         "install(TARGETS driver DESTINATION bin)\ninstall(TARGETS driver DESTINATION lib/robot)",
         "set(ALL driver)\ninstall(TARGETS ${ALL} DESTINATION lib/robot)",

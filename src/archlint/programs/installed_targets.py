@@ -78,7 +78,7 @@ def _folder_of_programs(command: Command) -> str:
         if word in _KINDS:
             kind = word
         elif word == "DESTINATION":
-            folders.setdefault(kind, following)
+            folders[kind] = following  # of several for one kind the last counts
     folder = folders.get("RUNTIME", folders.get("", _DEFAULT))
     folder = folder.removeprefix("${CMAKE_INSTALL_PREFIX}/").replace("${CMAKE_INSTALL_BINDIR}", _DEFAULT)
     return posixpath.normpath(folder.replace("${CMAKE_INSTALL_LIBDIR}", "lib"))
