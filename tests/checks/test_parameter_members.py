@@ -123,6 +123,12 @@ int main(int argc, char ** argv)
             "as_int()",
         ),
         (
+            'declare_parameter<std::float_t>("p", 1); get_parameter("p").as_int();',
+            65,
+            "'as_int()' throws an exception here: the parameter 'p' is a double",
+            "as_double()",
+        ),
+        (
             'auto rate = get_parameter("rate"); int r = rate.as_int();',
             53,
             "'as_int()' throws an exception here: the parameter 'rate' is a double",
@@ -145,6 +151,10 @@ def test_a_method_of_rclcpp_for_another_type(findings, read: str, column: int, m
         'get_parameter("count").get_value<int64_t>();',
         'get_parameter("count").get_value<Count>();',
         'get_parameter("other").as_int();',
+        'declare_parameter<std::float_t>("gain", 1); get_parameter("gain").as_double();',
+        'declare_parameter<Gain>("gain", 1); get_parameter("gain").as_double();',  # an alias of any type
+        'declare_parameter<unsigned int>("size", 1.0); get_parameter("size").as_int();',
+        'get_parameter("rate").get_value<std::double_t>();',
         'rclcpp::Parameter p = get_parameter("rate"); p.as_double();',
         'auto p = get_parameter("rate"); { auto p = get_parameter("count"); p.as_int(); }',
         'int count; get_parameter("count", count);',

@@ -33,7 +33,7 @@ _INTEGERS = r"(?:unsigned )?(?:int|long|long int|short)|(?:std::)?u?int(?:8|16|3
 _TYPES: tuple[tuple[str, ParameterType], ...] = (
     ("bool", "bool"),
     (_INTEGERS, "integer"),
-    ("double|float", "double"),
+    ("double|float|(?:std::)?(?:double|float)_t", "double"),
     ("std::string", "string"),
     ("std::vector<(?:int64_t|int|long)>", "integer_array"),
     ("std::vector<double>", "double_array"),

@@ -186,14 +186,18 @@ STREAMS = frozenset({"stringstream", "ostringstream"})
 
 OF_DOUBLES = frozenset({"vector<double>", "vector<float>"})
 PARAMETER_TYPES = {
-    **{"string": "STRING", "bool": "BOOL", "float": "DOUBLE", "double": "DOUBLE"},
-    **dict.fromkeys(("int", "int64_t", "int32_t", "long", "uint16_t", "uint32_t", "size_t"), "INTEGER"),
+    **{"string": "STRING", "bool": "BOOL"},
+    **dict.fromkeys(("float", "double", "float_t", "double_t"), "DOUBLE"),
+    **dict.fromkeys(
+        ("int", "long", "longlong", "short", "unsigned", "unsignedint", "unsignedlong", "size_t"), "INTEGER"
+    ),
+    **{f"{sign}int{bits}_t": "INTEGER" for sign in ("", "u") for bits in (8, 16, 32, 64)},
     "vector<std::string>": "STRING_ARRAY",
     "vector<double>": "DOUBLE_ARRAY",
     "vector<int64_t>": "INTEGER_ARRAY",
     "vector<bool>": "BOOL_ARRAY",
 }
-"""The types of parameters by those of C++, without ``std::`` in front."""
+"""The types of parameters by those of C++, without ``std::`` in front and without blanks."""
 
 
 __all__ = [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
@@ -46,6 +46,8 @@ _PARAMETER_VALUES = frozenset(
     }
 )
 """Methods of ``rclcpp::Parameter`` that give its value."""
+_OF_NUMBERS: dict[str, Callable[[float], float]] = {"BOOL": bool, "DOUBLE": float, "INTEGER": int}
+"""What a parameter's type makes of a number that stands for its default."""
 
 
 class CallLowering(MethodLowering):
@@ -206,12 +208,11 @@ class CallLowering(MethodLowering):
             kind = self.names.library("rclcpp.Parameter", span)
             return [] if word is None else [facts.Attribute(facts.Attribute(kind, "Type", span), word, span)]
         number = values[0].number
-        if number is not None and of_type in ("float", "double"):
-            return [facts.Literal(float(number), span)]
-        if number is not None and of_type == "bool":
-            return [facts.Literal(bool(number), span)]
-        if number is not None and PARAMETER_TYPES.get(of_type) == "INTEGER":
-            return [facts.Literal(int(number), span)]
+        if number is not None and of_type:
+            made = _OF_NUMBERS.get(PARAMETER_TYPES.get(of_type, ""))
+            return [
+                facts.Opaque("a number of another type", span) if made is None else facts.Literal(made(number), span)
+            ]
         match values[0]:
             case facts.Call(func=constructor, args=[]) if constructor.last_name in SEQUENCES:
                 return [facts.Sequence("list", [], span)]  # std::vector<std::string>()
