@@ -510,3 +510,12 @@ def test_a_value_that_code_asks_for_what_only_a_message_has(judge: Judge, test: 
     if found and "Quaternion" in also:
         return  # what is right in one run is not wrong each time
     judge("MSG003", HELPER.format(test=test, found=found, also=also))
+
+
+def test_values_of_one_line_are_one_finding_whatever_comes_of_each(judge: Judge):
+    """A float field that gets an int raises on humble; elsewhere 1 becomes something else, and 0 does not."""
+    (judge.folder / "Dockerfile").write_text("FROM ros:humble\n", encoding="utf-8")
+    line = "colour = ColorRGBA()\n        colour.r, colour.g, colour.b = (0, 0, 1)  # here"
+    text = NODE.replace("{line}", line).replace("{of_joy}", "pass")
+    [told] = judge("MSG003", f"from std_msgs.msg import ColorRGBA\n{text}")
+    assert ["'r'" in told.message, *(row.message[:3] for row in told.related)] == [True, "'g'", "'b'"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -87,7 +87,17 @@ def _compared(row: ByteCompared) -> Finding:
     )
 
 
-@folds("MSG003")
+def _by_consequence(findings: Sequence[Finding]) -> Iterable[Sequence[Finding]]:
+    """The findings of a type by what comes of them; those of one line, ``r, g, b = (0, 0, 1)``, are one edit."""
+    of_line: dict[int, str] = {}
+    rows: dict[str, list[Finding]] = {}
+    for told in findings:
+        consequence = of_line.setdefault(told.place.line, told.group[-1])
+        rows.setdefault(consequence, []).append(told)
+    return rows.values()
+
+
+@folds("MSG003", common=3, rows=_by_consequence)
 def of_one_message(findings: Sequence[Finding]) -> Finding:
     """The first of a file for all that give fields of one type the same wrong kind of value: whoever writes ``0`` for
     ``0.0`` does so for x, y and z."""
