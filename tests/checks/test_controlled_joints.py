@@ -128,3 +128,28 @@ def test_a_file_that_nobody_reads_is_information(findings):
     text = CONTROLLERS + "    joints: [elbow]\n"
     (told,) = findings("PRM012", **{"config/p.yaml": text, "urdf/robot.urdf.xacro": ROBOT}, **not_installed)
     assert told.severity == Severity.INFO
+
+
+def test_the_names_of_one_list_are_one_finding(findings):
+    robot = ROBOT.replace('<gpio name="lights">', '<joint name="wrist_joint"/><gpio name="lights">')
+    told, other = _told(findings, "joints: [elbow, wrist]", "dof_names: [elbwo_joint]", robot=robot)
+    assert told.message.endswith("did you mean 'elbow_joint'?; another name of the list is unknown, too")
+    assert ["'wrist'" in row.message for row in told.related] == [True]
+    assert "'elbwo_joint'" in other.message
+
+
+@pytest.mark.parametrize(
+    ("named", "told"),
+    [
+        (("new.yaml",), []),  # the old one is left over
+        (("old.yaml",), ["config/old.yaml"]),
+        (("old.yaml", "new.yaml"), ["config/old.yaml"]),
+        ((), ["config/old.yaml"]),  # somebody may start either
+    ],
+)
+def test_a_file_whose_controllers_another_has_that_is_used(findings, named: tuple[str, ...], told: list[str]):
+    uses = "".join(f"<plugin><parameters>$(find robot)/config/{name}</parameters></plugin>" for name in named)
+    robot = ROBOT.replace("</robot>", f"<gazebo>{uses}</gazebo></robot>")
+    old, new = (f"{CONTROLLERS}    joints: [{joint}]\n" for joint in ("elbow", "elbow_joint"))
+    files = {"config/old.yaml": old, "config/new.yaml": new, "urdf/robot.urdf.xacro": robot}
+    assert [row.place.file for row in findings("PRM012", **files)] == told

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.folding import folds, with_places
+from archlint.checks.folding import folds, with_others, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Severity
@@ -36,10 +36,12 @@ def joint_of_no_robot(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _told(row: Mistake) -> Finding:
+    kind = ""
     match row:
         case UnknownJoint(place=place, controller=controller, parameter=parameter, name=name, meant=near):
             message = f"no robot description here has '{name}', which '{controller}' is given as one of its {parameter}"
             message, help = f"{message}{meant(repr(near))}", f"write '{near}'"
+            kind = parameter
         case UnknownInterface(place=place, controller=controller, joint=joint, name=name, known=known):
             kind = "command" if row.commands else "state"
             message = f"'{controller}' wants the {kind} interface '{joint}/{name}', and the hardware there has "
@@ -51,15 +53,20 @@ def _told(row: Mistake) -> Finding:
             message = f"'{controller}' has {parameter} for '{name}', which is none of its joints"
             message += meant(near and f"'{near}'")
             help = f"write '{near}'" if near else f"remove them, or name the joint; it has {listed(list(joints))}"
-    return finding(
-        "PRM012", place, message, help=help, identity=(controller, name), group=(place.file, controller, name)
-    )
+    group = (place.file, controller, kind or name, name)
+    return finding("PRM012", place, message, help=help, identity=(controller, name), group=group)
 
 
-@folds("PRM012")
-def _of_one_name(several: Sequence[Finding]) -> Finding:
-    """One finding for a name that is wrong in one controller, wherever it stands there."""
-    return with_places(several, "the same name is wrong here, too")
+@folds("PRM012", common=3)
+def _of_one_cause(several: Sequence[Finding]) -> Finding:
+    """One finding for a name that is wrong in one controller, wherever it stands there, and for the joints of one list
+    that no robot has."""
+    name = several[0].group[-1]
+    first = with_places([told for told in several if told.group[-1] == name], "the same name is wrong here, too")
+    others = list({told.group[-1]: told for told in reversed(several) if told.group[-1] != name}.values())
+    in_order = sorted(others, key=lambda told: told.place)
+    words = ("another name of the list is", "more names of the list are", "unknown, too")
+    return with_others([first, *in_order], *words) if others else first
 
 
 __all__ = ["joint_of_no_robot"]

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.analysis.kept import once
 from archlint.launch_files.plugin_parameters import controllers_of
-from archlint.launch_files.unloaded_parameter_files import parameter_files
+from archlint.launch_files.unloaded_parameter_files import is_named, parameter_files
 from archlint.place import Place
 from archlint.suggestions import nearest
 from archlint.syntax.robot_descriptions import Component, Named, RobotDescription, read_description
@@ -75,6 +75,8 @@ def wrong_for_controllers(workspace: WorkspaceIndex) -> Iterator[Mistake]:
     """Everything of that kind, file by file."""
     for file, facts in parameter_files(workspace):
         types = controllers_of(facts)
+        if _is_superseded(workspace, file, types):
+            continue
         for section in facts.sections:
             controller = section.path[-1].rpartition("/")[2] if section.path else ""
             if controller in types:
@@ -82,6 +84,18 @@ def wrong_for_controllers(workspace: WorkspaceIndex) -> Iterator[Mistake]:
                 yield from _unknown_joints(workspace, file, controller, section)
                 yield from _for_no_joint(file, controller, section, joints)
                 yield from _unknown_interfaces(workspace, file, controller, section, joints)
+
+
+def _is_superseded(workspace: WorkspaceIndex, file: str, types: Collection[str]) -> bool:
+    """Whether nothing names a file, and something names another of its package that has all of its controllers: it is
+    what they were before."""
+    others = [
+        other
+        for other, facts in parameter_files(workspace)
+        if other != file and workspace.package_of(other) == workspace.package_of(file)
+        if types and controllers_of(facts).keys() >= set(types)
+    ]
+    return bool(others) and not is_named(workspace, file) and any(is_named(workspace, other) for other in others)
 
 
 def _texts(value: object) -> list[str]:

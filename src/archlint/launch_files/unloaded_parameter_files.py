@@ -65,6 +65,32 @@ def has_no_reader(workspace: WorkspaceIndex, file: str) -> bool:
     return not any(name in text for text in _told(workspace))
 
 
+_NAMES = (
+    ".py",
+    ".xml",
+    ".yaml",
+    ".yml",
+    ".xacro",
+    ".urdf",
+    ".sdf",
+    ".world",
+    ".cpp",
+    ".hpp",
+    ".h",
+    ".sh",
+    ".md",
+    ".txt",
+)
+"""The files in which a parameter file may be named."""
+
+
+def is_named(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether any file of the workspace has the name of a parameter file, with its ending or, put together, without."""
+    stem, _ = posixpath.splitext(posixpath.basename(file))
+    paths = (path for path in workspace.tree.files_below(workspace.tree.top) if path.endswith(_NAMES) and path != file)
+    return any(workspace.code.mentions(path, stem) for path in paths)
+
+
 _TELLS = re.compile(r"(?:^|/)(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash|txt)|[Dd]ockerfile[^/]*|Makefile)$", re.IGNORECASE)
 """What says how something is started."""
 
@@ -125,6 +151,7 @@ def _is_named_in_code(workspace: WorkspaceIndex, file: str) -> bool:
 
 __all__ = [
     "has_no_reader",
+    "is_named",
     "is_template",
     "loaded_files",
     "misplaced_in_unloaded",
