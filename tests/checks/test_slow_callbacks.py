@@ -2191,6 +2191,30 @@ def test_a_pause_before_the_end_of_the_program(run: Run, then: str, expected: li
     assert codes(run(source(others, timer(body)))) == expected
 
 
+STOP = """
+for _ in range({rounds}):
+        self.pub.publish(Empty())
+        time.sleep(0.05)
+    {then}
+"""
+
+
+@pytest.mark.parametrize(
+    ("rounds", "then", "expected"),
+    [
+        (10, "print('over')\n    rclpy.shutdown()", []),
+        (10, "raise SystemExit", []),
+        (10, "print('over')", ["EXE003"]),
+        (10, "if read():\n        rclpy.shutdown()", ["EXE003"]),
+        (100, "rclpy.shutdown()", ["EXE003"]),
+    ],
+)
+def test_the_last_commands_before_ros_ends(run: Run, rounds: int, then: str, expected: list[str]):
+    """The robot is to stop, and no other callback is wanted any more."""
+    others = TIMER + "self.pub = self.create_publisher(Empty, 'stop', 10)\n"
+    assert codes(run(source(others, timer(STOP.format(rounds=rounds, then=then).strip())))) == expected
+
+
 GOAL = """
 def go(self):
     self.client.send_goal_async(Fibonacci.Goal()).add_done_callback(self.on_answer)

@@ -6,6 +6,7 @@ from collections.abc import Set as AbstractSet
 from typing import TYPE_CHECKING
 
 from archlint.analysis.order import paths_to
+from archlint.execution.loop_times import in_loops
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import without_exceptions
@@ -20,7 +21,8 @@ if TYPE_CHECKING:
 
 
 OF_PROCESS = ("subprocess.Popen.wait", "subprocess.Popen.communicate")
-_SHUTDOWNS = frozenset({"rclpy.shutdown", "rclpy.try_shutdown", "self.destroy_node"})
+_ENDS_OF_ROS = frozenset({"rclpy.shutdown", "rclpy.try_shutdown"})
+_SHUTDOWNS = _ENDS_OF_ROS | {"self.destroy_node"}
 _ENDS_OF_PROGRAM = frozenset({"sys.exit", "os._exit", "exit", "quit"})
 
 
@@ -35,6 +37,18 @@ def hands_over(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     there is a pause before the end."""
     is_last = stay.kind == "process" or (stay.kind == "sleep" and not call.looped)
     return is_last and _ends_in(code, call, _ENDS_OF_PROGRAM)
+
+
+def says_farewell(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
+    """Whether a pause, or a loop with pauses, for a second at most, is what a callback does last before it ends ROS or
+    the program: it stops the robot by several commands, and nobody waits for another callback any more."""
+    if stay.kind != "sleep" or in_loops(code, call, stay, with_callers=True) > _FAREWELL:
+        return False
+    return _ends_in(code, call, _ENDS_OF_ROS) or _ends_in(code, call, _ENDS_OF_PROGRAM)
+
+
+_FAREWELL = 1.0
+"""Seconds."""
 
 
 def _ends_in(code: SourceCode, call: ApiCall, functions: AbstractSet[str]) -> bool:
@@ -57,4 +71,4 @@ def _is_end(fact: facts.Base | None, functions: AbstractSet[str]) -> bool:
     return any(inner_call.func.dotted in functions for inner_call in calls_in(fact))
 
 
-__all__ = ["OF_PROCESS", "ends_with_the_node", "hands_over"]
+__all__ = ["OF_PROCESS", "ends_with_the_node", "hands_over", "says_farewell"]
