@@ -180,6 +180,9 @@ def test_opencv_is_what_the_code_of_the_package_uses(judge: Judge):
     (of_python,) = judge("<depend>opencv</depend>", **{"robot/node.py": "import cv2\nimport rclpy\n"})
     (of_cpp,) = judge("<depend>opencv</depend>", **{"robot/node.py": "import rclpy\n"})
     assert (of_python.help, of_cpp.help) == ("write 'python3-opencv' instead", "write 'libopencv-dev' instead")
+    both = {"robot/node.py": "import cv2\nimport rclpy\n", "CMakeLists.txt": "find_package(OpenCV REQUIRED)\n"}
+    (of_cmake,) = judge("<depend>opencv</depend>", build="ament_cmake", **both)
+    assert of_cmake.help == "write 'libopencv-dev' instead"
 
 
 def test_a_module_of_python_by_its_own_name(judge: Judge):

@@ -88,7 +88,9 @@ def _unknown(
         return
     meant = meant or _imported(workspace, package, name, there)
     meant = _PYTHON if meant == _CPP and _is_rclpy(workspace, package, dependency) else meant
-    is_python = is_python or imports_beside_nodes(workspace, package, name)
+    is_python = is_python or (
+        imports_beside_nodes(workspace, package, name) and not _by_cmake(workspace, package, name)
+    )
     wrong = None if meant is not None else mistaken(name, there, is_python=is_python)
     if wrong is not None and not is_a_key_of_some_file(workspace, name):
         yield _mistaken(package, dependency, wrong)
@@ -187,13 +189,19 @@ def _instead_of_build_type(workspace: WorkspaceIndex, package: Package, dependen
 
 def _is_of_python(workspace: WorkspaceIndex, package: Package, name: str) -> bool:
     """Whether Python code of a package has a name in it, and its CMake files do not."""
-    installs = workspace.installs.get(package.name)
-    if installs is not None and name in installs.words:
+    if _by_cmake(workspace, package, name):
         return False
     words = {name, "cv2"} if "opencv" in name.lower() else modules_of_pip(name)
     return name.startswith("python") or any(
         workspace.code.mentions(path, word) for path in workspace.code.files_of(package.name) for word in words
     )
+
+
+def _by_cmake(workspace: WorkspaceIndex, package: Package, name: str) -> bool:
+    """Whether CMake files of a package have a name in them, or look for it as CMake writes it: ``OpenCV``."""
+    installs = workspace.installs.get(package.name)
+    looked_for = [] if installs is None else [other.lower() for other in installs.looked_for]
+    return installs is not None and (name in installs.words or name.lower() in looked_for)
 
 
 def _mistaken(package: Package, dependency: Dependency, wrong: Mistaken) -> Finding:
