@@ -726,6 +726,15 @@ def test_a_package_that_a_list_of_repositories_brings(lint: Lint, name):
     assert found.help == "add <exec_depend>secret_driver</exec_depend> to talk/package.xml"
 
 
+def test_a_repository_that_is_here_brings_no_other_package(lint: Lint):
+    listed = {"all.repos": "repositories:\n  secret_driver:\n    type: git\n    url: https://example.org/it.git\n"}
+    here = {"others/secret_driver/package.xml": manifest("secret4_driver")}
+    (found,) = lint(launching(started("secret_driver"), started("rviz2")) | listed)
+    assert "uses 2 packages" in found.message
+    (found,) = lint(launching(started("secret_driver"), started("rviz2")) | listed | here)
+    assert found.message == "package 'talk' starts a node of 'rviz2', which its package.xml does not declare"
+
+
 def test_all_that_are_nowhere_are_one_finding_for_a_package(lint: Lint):
     config = "get_package_share_directory('secret_maps') + '/maps/hall.yaml'"
     actions = [started("secret_driver"), f"Node(package='talk', executable='a', parameters=[{{'map': {config}}}])"]
@@ -861,6 +870,7 @@ def built(find: str, *tags: str) -> dict[str, str]:
         ("find_package(rclcpp REQUIRED)", "builds with 'rclcpp'", "depend"),
         ("find_package(rosidl_default_generators REQUIRED)", "builds with 'rosidl_default", "buildtool_depend"),
         ("find_package(eigen3_cmake_module REQUIRED)", "builds with 'eigen3_cmake_module'", "buildtool_depend"),
+        ("find_package(ament_index_cpp REQUIRED)", "builds with 'ament_index_cpp'", "depend"),  # a library
         ("if(BUILD_TESTING)\nfind_package(ament_lint_auto REQUIRED)\nendif()", "builds its tests with", "test_depend"),
         (
             "# set(BUILD_TESTING OFF)\nif(BUILD_TESTING)\nfind_package(ament_lint_auto REQUIRED)\nendif()",

@@ -244,8 +244,8 @@ def _reachable(name: str, workspace: WorkspaceIndex, used: Mapping[str, Abstract
     return closure([name], needs)
 
 
-_OF_THE_BUILD = re.compile(r"ament_|rosidl_default_generators$|rosidl_generator_|\w+_cmake_module$")
-"""The packages that are tools of a build."""
+_OF_THE_BUILD = re.compile(r"ament_(?!index_)|rosidl_default_generators$|rosidl_generator_|\w+_cmake_module$")
+"""The packages that are tools of a build; ``ament_index_cpp`` is a library."""
 
 
 def _tags(package: Package, uses: Sequence[Use]) -> tuple[str, ...]:

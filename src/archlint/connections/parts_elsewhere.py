@@ -73,11 +73,18 @@ def _listed(workspace: WorkspaceIndex) -> Iterator[bool]:
 def _repositories(workspace: WorkspaceIndex) -> frozenset[str]:
     every = workspace.tree.files_below(workspace.tree.top)
     texts = [workspace.tree.text(path) or "" for path in every if path.endswith(_LISTS)]
-    return frozenset(_plain(_name(repository)) for text in texts for repository in _REPOSITORY.findall(text))
+    listed = frozenset(_plain(_name(repository)) for text in texts for repository in _REPOSITORY.findall(text))
+    return listed - _folders_with_packages(workspace)
+
+
+def _folders_with_packages(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The names of the folders in which packages are: a repository that is here brings no other."""
+    return frozenset(_plain(part) for folder in workspace.manifests for part in folder.split("/"))
 
 
 def is_fetched(workspace: WorkspaceIndex, package: str) -> bool:
-    """Whether a ``.repos`` file lists a repository with the name of a package, but for its underscores."""
+    """Whether a ``.repos`` file lists a repository with the name of a package, but for its underscores, that is not
+    here."""
     return _plain(package) in _repositories(workspace)
 
 
