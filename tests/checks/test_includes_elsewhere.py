@@ -120,3 +120,13 @@ def test_use_sim_time_is_handed_to_all_by_habit(findings):
 def test_an_argument_that_nothing_reads(findings, name: str, includes: tuple[str, ...], times: int):
     told = _told(findings, "LCH011", f"DeclareLaunchArgument('{name}', default_value='true')", *includes)
     assert len(told) == times
+
+
+SWITCH = "DeclareLaunchArgument('slam_params', default_value={})"
+
+
+@pytest.mark.parametrize(("default", "near"), [("'True'", False), ("'slam.yaml'", True)])
+def test_a_switch_is_meant_for_no_argument_with_words_behind_its_name(findings, default: str, near: bool):
+    include = "include('slam_toolbox', 'online_async_launch.py', slam_params=LaunchConfiguration('slam_params'))"
+    (told,) = _told(findings, "LCH003", SWITCH.format(default), include)
+    assert ("write 'slam_params_file'" in told.help) is near

@@ -205,3 +205,9 @@ def test_a_name_of_another_executable_that_the_same_action_may_start(findings):
     fixed = CHOSEN.replace(", choices=['talker', 'speaker']", "")
     (diagnostic,) = findings("LCH002", **{**files, "launch/a.launch.py": fixed})
     assert "none of these 2 names" in diagnostic.message
+
+
+def test_what_every_node_has_is_in_no_namespace(findings):
+    (told,) = findings("LCH002", node('<remap from="clock" to="/world/clock"/>', namespace="left"))
+    assert told.message == "/left/talker has no name '/left/clock', so this remapping has no effect"
+    assert told.help == "write '/clock', which every node has by this name in any namespace, or remove it"

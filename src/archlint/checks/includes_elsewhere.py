@@ -22,14 +22,19 @@ PASSED_TO_ALL = frozenset({"use_sim_time"})
 
 def unknown_elsewhere(workspace: WorkspaceIndex, launched: Launched) -> Iterator[Finding]:
     """One finding for an include."""
-    yield from map(_unknown, unknown_to_includes(workspace, launched))
+    switches = frozenset(
+        argument.name
+        for argument in launched.declared
+        if argument.default is not None and (argument.default.text or "").lower() in ("true", "false")
+    )
+    yield from (_unknown(row, switches) for row in unknown_to_includes(workspace, launched))
 
 
-def _unknown(row: UnknownToInclude) -> Finding:
+def _unknown(row: UnknownToInclude, switches: Collection[str]) -> Finding:
     """What a well-known launch file from elsewhere does not take, in any distribution since humble."""
     (first, place), *others = row.given
     names = [name for name, _ in row.given]
-    near = _meant(first, row.taken)
+    near = _meant(first, row.taken, switches)
     said = f"takes no launch argument '{first}' since Humble" + meant(f"'{near}'" if near else "")
     if others:
         said = "takes none of these launch arguments since Humble: " + ", ".join(f"'{name}'" for name in names)
@@ -41,21 +46,23 @@ def _unknown(row: UnknownToInclude) -> Finding:
         help=f"write '{near}': the value has no effect"
         if near and not others
         else f"the value has no effect: remove it; {see}",
-        related=[Related(at, _set_here(name, row.taken)) for name, at in others],
+        related=[Related(at, _set_here(name, _meant(name, row.taken, switches))) for name, at in others],
         identity=(row.package, row.file, *names),
         group=(place.file, row.package, row.file, *names),
     )
     return replace(diagnostic, severity=Severity.INFO) if PASSED_TO_ALL.issuperset(names) else diagnostic
 
 
-def _set_here(name: str, taken: Collection[str]) -> str:
-    near = _meant(name, taken)
+def _set_here(name: str, near: str) -> str:
     return f"'{name}' is set here" + meant(f"'{near}'" if near else "")
 
 
-def _meant(name: str, taken: Collection[str]) -> str:
+def _meant(name: str, taken: Collection[str], switches: Collection[str]) -> str:
     """The argument nearest to a name, or the only one that is the name with words before or behind it:
-    ``slam_params_file`` for ``params_file``."""
+    ``slam_params_file`` for ``params_file``.  What the launch file itself has for a switch, such as ``rviz``, is not
+    meant for ``rviz_config``."""
+    if name in switches:
+        return nearest(name, taken) or ""
     longer = [other for other in taken if other.endswith(f"_{name}") or other.startswith(f"{name}_")]
     return nearest(name, taken) or (longer[0] if len(longer) == 1 else "")
 

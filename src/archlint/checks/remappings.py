@@ -227,6 +227,8 @@ def _advice(nodes: Sequence[Node], dead: _Dead, hint: str) -> str:
     those of a well-known node.  Of two names that are nearly alike either may be the slip."""
     if dead.expanded == nodes[0].name:
         return "remove it, or rename the node with name=: a remapping is for topics, services and actions"
+    if (full := f"/{dead.source}") in OF_EVERY_NODE:
+        return f"write '{full}', which every node has by this name in any namespace, or remove it"
     own = sorted(name for name in dead.known if "/_action/" not in name)
     last = dead.source.rpartition("/")[2]
     is_alike = hint or any(name.endswith(f"/{last}") for name in own)
