@@ -125,6 +125,37 @@ def test_name_renames_all_nodes_of_an_executable(findings):
     assert findings("NME004", node(), **{"robot/talker.py": two}) == []  # the advice works
 
 
+LISTENER = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Listener(Node):
+    def __init__(self):
+        super().__init__('listener')
+        self.create_subscription(String, '{}', print, 10)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Listener())
+"""
+
+
+@pytest.mark.parametrize(("topic", "kept"), [("/it/words", True), ("/that/words", False)])
+def test_names_below_that_of_a_node_would_change_with_it(findings, topic: str, kept: bool):
+    two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
+    two = two.replace("'chatter'", "'~/words'")
+    setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker:main', 'other = robot.other:main'")
+    files = {"setup.py": setup, "robot/talker.py": two, "robot/other.py": LISTENER.format(topic)}
+    (found,) = findings("NME004", node(name="it") + node(exec="other"), **files)
+    keep = (
+        "keep name= for 'talker', whose names below ~/ go by it, and create the other with use_global_arguments=False"
+    )
+    assert found.help.startswith(keep if kept else "remove name=, so that each node keeps the name from its code")
+
+
 def test_a_name_that_another_action_has_is_no_way_out(findings):
     two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
     (found,) = findings("NME004", node(name="it") + node(name="helper", exec="other"), **{"robot/talker.py": two})

@@ -287,6 +287,11 @@ def _of_one_process(system: System, first: Node, other: Node) -> Iterator[Findin
 def _unrenamed(system: System, node: Node) -> str:
     """The advice to remove ``name=``: a section of a parameter file that is for the name would be read by no node."""
     started, workspace = node.started, system.workspace
+    if (private := _with_private_names(system, node)) is not None:
+        return (
+            f"keep name= for '{private}', whose names below ~/ go by it, and create the other with "
+            "use_global_arguments=False (in C++: rclcpp::NodeOptions().use_global_arguments(false))"
+        )
     others = {twin.name for twin in system.nodes if twin.started is not started}
     taken = next((own for own in _names_of_its_own(system, node) if own in others), None)
     if taken is not None:
@@ -303,6 +308,18 @@ def _unrenamed(system: System, node: Node) -> str:
         return "remove name=, so that each node keeps the name from its code"
     file = posixpath.basename(lost.place.file)
     return f"remove name=, and call the section '{lost.written}' of {file} as the code calls the node that reads it"
+
+
+def _with_private_names(system: System, node: Node) -> str | None:
+    """What the code calls the only one of two nodes of a process that has names below its own, where another node knows
+    one of them: without ``name=`` these would change."""
+    twins = [twin for twin in system.nodes if twin.started is node.started]
+    having = [twin for twin in twins if any((end.written or "").startswith("~/") for end in twin.endpoints)]
+    if len(twins) != 2 or len(having) != 1:
+        return None
+    private = {end.name for end in having[0].endpoints if (end.written or "").startswith("~/")}
+    used = any(end.name in private for other in system.nodes if other not in twins for end in other.endpoints)
+    return _own_name(having[0]) if used else None
 
 
 def _names_of_its_own(system: System, node: Node) -> list[str]:
