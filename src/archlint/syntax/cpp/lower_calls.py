@@ -209,9 +209,11 @@ class CallLowering(MethodLowering):
             return [] if word is None else [facts.Attribute(facts.Attribute(kind, "Type", span), word, span)]
         number = values[0].number
         if number is not None and of_type:
-            made = _OF_NUMBERS.get(PARAMETER_TYPES.get(of_type, ""))
+            convert = _OF_NUMBERS.get(PARAMETER_TYPES.get(of_type, ""))
             return [
-                facts.Opaque("a number of another type", span) if made is None else facts.Literal(made(number), span)
+                facts.Opaque("a number of another type", span)
+                if convert is None
+                else facts.Literal(convert(number), span)
             ]
         match values[0]:
             case facts.Call(func=constructor, args=[]) if constructor.last_name in SEQUENCES:
