@@ -152,4 +152,5 @@ def test_a_file_whose_controllers_another_has_that_is_used(findings, named: tupl
     robot = ROBOT.replace("</robot>", f"<gazebo>{uses}</gazebo></robot>")
     old, new = (f"{CONTROLLERS}    joints: [{joint}]\n" for joint in ("elbow", "elbow_joint"))
     files = {"config/old.yaml": old, "config/new.yaml": new, "urdf/robot.urdf.xacro": robot}
+    files |= {"README.md": "What is old is left.\n"}
     assert [row.place.file for row in findings("PRM012", **files)] == told

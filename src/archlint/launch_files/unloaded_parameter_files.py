@@ -85,10 +85,12 @@ _NAMES = (
 
 
 def is_named(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether any file of the workspace has the name of a parameter file, with its ending or, put together, without."""
+    """Whether any file of the workspace has the name of a parameter file, with its ending or, in quotation marks and to
+    be put together, without."""
     stem, _ = posixpath.splitext(posixpath.basename(file))
+    name = rf"(?<!\w){re.escape(stem)}\.|['\"/]{re.escape(stem)}['\"]"
     paths = (path for path in workspace.tree.files_below(workspace.tree.top) if path.endswith(_NAMES) and path != file)
-    return any(workspace.code.mentions(path, stem) for path in paths)
+    return any(workspace.code.mentions(path, stem) and workspace.tree.lines_with(path, name) for path in paths)
 
 
 _TELLS = re.compile(r"(?:^|/)(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash|txt)|[Dd]ockerfile[^/]*|Makefile)$", re.IGNORECASE)
