@@ -174,10 +174,10 @@ DRIVER = {"robot/driver.py": "from {} import open_camera\n\n\ndef drive():\n    
     "line", ["from robot.driver import drive", "from .driver import drive", "from driver import drive"]
 )
 def test_a_file_that_the_file_of_a_console_script_imports(said: Callable[..., list[Finding]], line: str) -> None:
-    told = said(line, **{path: text.format("camera") for path, text in DRIVER.items()})
-    assert told[0].place.file == "robot/driver.py"
-    assert told[0].help == "write `from robot.camera import …`"
-    assert [finding.place.file for finding in told[1:]] == ["robot/talker.py"] * line.startswith("from driver")
+    (told,) = said(line, **{path: text.format("camera") for path, text in DRIVER.items()})
+    assert told.place.file == "robot/driver.py"
+    assert told.help == "write `from robot.camera import …`"
+    assert [place.place.file for place in told.related] == ["robot/talker.py"] * line.startswith("from driver")
     right = said(
         "from robot.driver import drive", **{path: text.format("robot.camera") for path, text in DRIVER.items()}
     )
@@ -441,3 +441,33 @@ def test_an_import_of_a_file_that_may_be_the_program(said: Callable[..., list[Fi
 )
 def test_the_compiled_part_of_a_wrapper_is_no_file(said: Callable[..., list[Finding]], line: str, told: int) -> None:
     assert len(said(line)) == told
+
+
+def test_modules_beside_the_script_are_one_finding_of_the_package(said: Callable[..., list[Finding]]) -> None:
+    """Whoever imports one module by its short name does so in all files of a package."""
+    files = {"robot/lens.py": "import camera\n", "robot/shutter.py": "import camera\nimport lens\n"}
+    (finding,) = said("import camera\nimport shutter", **files)
+    assert finding.message.endswith("; 4 more imports of the package do the same")
+    assert finding.place.file == "robot/lens.py"
+    assert {related.place.file for related in finding.related} == {"robot/shutter.py", "robot/talker.py"}
+
+
+def test_a_module_that_is_missing_is_one_finding_of_the_package(said: Callable[..., list[Finding]]) -> None:
+    (finding,) = said("import robot.lens\nimport robot.motors", **{"robot/lens.py": "import robot.motors\n"})
+    assert finding.message.endswith("; another import of the package does the same")
+
+
+@pytest.mark.parametrize(
+    ("document", "text"),
+    [
+        ("README.md", "Start it with `python3 talker.py`."),
+        ("start.ps1", 'python "C:\\robot\\robot\\talker.py" --fast'),
+        ("start.bat", "python.exe robot\\talker.py"),
+    ],
+)
+def test_a_script_that_people_are_told_to_run_finds_what_lies_beside_it(
+    said: Callable[..., list[Finding]], document: str, text: str
+) -> None:
+    assert said("import camera", **{document: text}) == []
+    (finding,) = said("import camera", **{document: text.replace("talker", "listener")})
+    assert finding.place.line == 3

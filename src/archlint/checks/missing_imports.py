@@ -20,10 +20,11 @@ if TYPE_CHECKING:
 def missing_import(system: System, options: Options) -> Iterator[Finding]:
     """Imports of modules, and of names of modules, that the workspace would have and does not."""
     if system.workspace is not None:
-        yield from map(_finding, missing_imports(system.workspace))
+        for missing in missing_imports(system.workspace):
+            yield _finding(missing, system.workspace.package_of(missing.place.file) or "")
 
 
-def _finding(missing: MissingImport) -> Finding:
+def _finding(missing: MissingImport, package: str) -> Finding:
     module, name = missing.module, missing.name
     if missing.beside:
         message = f"'{module}' is not found once a console script imports this file: its folder is not on Python's path"
@@ -59,15 +60,16 @@ def _finding(missing: MissingImport) -> Finding:
         message,
         help=help,
         identity=(module, name),
-        group=(missing.place.file, kind) if kind else (missing.place.file, module, name),
+        group=(package, kind) if kind else (package, module, name),
         meant=missing.near,
     )
 
 
 @folds("API006")
-def missing_in_one_file(findings: Sequence[Finding]) -> Finding:
-    """The first import of something in a file, for all of them."""
-    return with_others(findings, "another import of the file does", "more imports of the file do", "the same")
+def missing_in_one_package(findings: Sequence[Finding]) -> Finding:
+    """The first import of something in a package, for all of them: who wrote one so has written all so."""
+    inside = "file" if len({finding.place.file for finding in findings}) == 1 else "package"
+    return with_others(findings, f"another import of the {inside} does", f"more imports of the {inside} do", "the same")
 
 
-__all__ = ["missing_import", "missing_in_one_file"]
+__all__ = ["missing_import", "missing_in_one_package"]

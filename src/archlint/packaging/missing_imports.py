@@ -20,6 +20,7 @@ from archlint.packaging.imports_by_path import absolute, installed_name, module_
 from archlint.packaging.imports_of_launch_files import is_installed_package, is_only_beside
 from archlint.packaging.mistaken_imports import interfaces_of, kind_left_out, near_module
 from archlint.packaging.renamed_packages import present_name
+from archlint.packaging.told_scripts import is_told_to_run
 from archlint.place import Place
 from archlint.python_code.absent_imports import forgiving, is_tolerant
 from archlint.python_code.offered_names import offers
@@ -275,12 +276,13 @@ def _is_named_in_setup(workspace: WorkspaceIndex, package: str, above: str, top:
 @once
 def _by_console_scripts(workspace: WorkspaceIndex) -> frozenset[str]:
     """The files that console scripts import, and what these import in turn, in packages of Python alone that do not
-    touch the path."""
+    touch the path.  Where people are told to run the file of a console script itself, it finds what lies beside it."""
     starts: set[str] = set()
     for package, installs in workspace.installs.items():
         for executable in installs.executables.values() if _leaves_the_path(workspace, package) else ():
             if executable.module and not executable.script:
-                starts.update(workspace.code.files_named(package, executable.module))
+                files = workspace.code.files_named(package, executable.module)
+                starts.update(file for file in files if not is_told_to_run(workspace, file))
     reached = workspace.code.reached_from(starts)
     return frozenset(path for path in reached if _leaves_the_path(workspace, workspace.package_of(path) or ""))
 

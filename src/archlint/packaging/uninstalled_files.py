@@ -19,6 +19,7 @@ from archlint.launch.kinds import FileStatus
 from archlint.launch_files.launch_code import writes_files
 from archlint.packaging.foreign_launch_files import is_of_another_project
 from archlint.packaging.generated_files import is_ignored, submodule_around
+from archlint.packaging.told_scripts import tells_commands
 from archlint.place import Place
 from archlint.workspace.installed import MARKERS
 
@@ -169,7 +170,6 @@ def files_told_already(workspace: WorkspaceIndex) -> frozenset[str]:
 
 # ---------------------------------------------------------------------------------------- what texts say of launches
 
-_TEXTS = re.compile(r"(?:.*\.(?:md|rst|txt|sh|bash|zsh|ya?ml|service)|(?:Docker|Make)file[\w.-]*)")
 _COMMAND = re.compile(r"\bros2[ \t]+launch[ \t]+([\w./~${}-]+)(?:[ \t]+([\w./-]+))?")
 
 
@@ -178,31 +178,11 @@ def _commands(workspace: WorkspaceIndex) -> list[tuple[str, str, Place]]:
     """The two words after each ``ros2 launch`` in the documents and scripts of a workspace, and where that is."""
     rows = []
     for path in workspace.tree.files_below(workspace.tree.top):
-        text = workspace.tree.text(path) if _TEXTS.fullmatch(posixpath.basename(path)) else None
+        text = workspace.tree.text(path) if tells_commands(path) else None
         for number, line in enumerate(text.splitlines() if text is not None and "ros2" in text else (), 1):
             for call in _COMMAND.finditer(line):
                 rows.append((call[1], call[2] or "", Place(path, number, call.start() + 1, number, call.end() + 1)))
     return rows
-
-
-_PROGRAM = re.compile(r"(?:\bpython[\d.]*[ \t]+(?:-m[ \t]+|-\w+[ \t]+)*|(?<![\w./~])\./)([\w./~${}-]+)")
-
-
-@once
-def _programs(workspace: WorkspaceIndex) -> frozenset[str]:
-    """The names of the scripts and modules that documents and scripts of a workspace give to Python."""
-    names: set[str] = set()
-    for path in workspace.tree.files_below(workspace.tree.top):
-        text = workspace.tree.text(path) if _TEXTS.fullmatch(posixpath.basename(path)) else None
-        for call in _PROGRAM.finditer(text or ""):
-            stem = posixpath.basename(call[1]).removesuffix(".py")
-            names |= {stem, stem.rpartition(".")[2]}
-    return frozenset(names)
-
-
-def is_told_to_run(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a document or a script of the workspace says to run a file of Python: ``python3 tools/calibrate.py``."""
-    return posixpath.basename(file).removesuffix(".py") in _programs(workspace)
 
 
 def is_meant_to_start(workspace: WorkspaceIndex, file: str) -> bool:

@@ -19,8 +19,9 @@ from archlint.analysis.aside import (
     is_not_installed,
 )
 from archlint.analysis.kept import once
+from archlint.packaging.told_scripts import is_told_to_run
 from archlint.packaging.unbuilt_files import runs_nowhere
-from archlint.packaging.uninstalled_files import is_left_out_launch_file, is_meant_to_start, is_told_to_run
+from archlint.packaging.uninstalled_files import is_left_out_launch_file, is_meant_to_start
 from archlint.ros.packages import package_of_module
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
