@@ -276,6 +276,19 @@ def test_the_module_with_the_name_of_the_executable_was_meant(findings, text: st
     assert found.help == ("write 'tuner = robot.tuner:main'" if said else LEFT_OVER)
 
 
+def test_the_only_module_of_that_name_in_another_folder_was_meant(findings):
+    """The folder has been renamed since: the entry is no leftover."""
+    setup = SETUP.replace("talker = robot.talker:main", "bridge = robot.environments.utils.bridge:main")
+    setup = setup.replace("['robot']", "['robot', 'robot.envs']")
+    below = {f"robot/{path}": "" for path in ("envs/__init__.py", "envs/utils/__init__.py", "tools/__init__.py")}
+    bridge = {"robot/envs/utils/bridge.py": "def main():\n    print('on')\n"}
+    (found,) = findings("PKG002", **{"setup.py": setup}, **below, **bridge)
+    assert found.message.endswith("; did you mean 'robot.envs.utils.bridge'?")
+    assert found.help == "write 'bridge = robot.envs.utils.bridge:main'"
+    (found,) = findings("PKG002", **{"setup.py": setup}, **below, **bridge, **{"robot/tools/bridge.py": "def main(): 1"})
+    assert found.help == LEFT_OVER
+
+
 def test_two_entries_are_not_said_to_mean_one_module(findings):
     entries = "'camera_goal = robot.camera_goal:main', '3_nav_to_goal = robot.3_nav_to_goal:main'"
     setup = SETUP.replace("'talker = robot.talker:main'", entries)

@@ -59,6 +59,7 @@ def _likely(workspace: WorkspaceIndex, executable: Executable) -> Meant | None:
     if near is None or not _may_offer(workspace, package, near, function):
         near = _shorter(workspace, executable, module, function, known)
         near = near or _of_its_own_name(workspace, executable, module, function, known)
+        near = near or _in_another_folder(workspace, executable, module, function, known)
     return None if near is None else Meant(near, f"{near}:{function}")
 
 
@@ -110,6 +111,16 @@ def _of_its_own_name(
     own = f"{parent}.{executable.name}" if parent else executable.name
     starts = own in _that_start(workspace, executable, module, known)
     return own if starts and _defines(workspace, executable, own, function) else None
+
+
+def _in_another_folder(
+    workspace: WorkspaceIndex, executable: Executable, module: str, function: str, known: Collection[str]
+) -> str | None:
+    """The only module of the package with the last part of the name of the missing one, if it defines the function: a
+    folder has been renamed, or the module was moved."""
+    last = module.rpartition(".")[2]
+    same = [name for name in _that_start(workspace, executable, module, known) if name.rpartition(".")[2] == last]
+    return same[0] if len(same) == 1 and _defines(workspace, executable, same[0], function) else None
 
 
 def _defines(workspace: WorkspaceIndex, executable: Executable, module: str, function: str) -> bool:
