@@ -39,6 +39,29 @@ def test_what_a_build_with_cmake_leaves_open(findings, cmake, found):
 
 
 @pytest.mark.parametrize(
+    ("files", "build"),
+    [
+        (
+            {
+                "CMakeLists.txt": "project(robot)\n# TODO: later\n# add_executable(driver src/driver.cpp)\n" + SCRIPTS,
+                "package.xml": CMAKE,
+                "setup.py": "",
+            },
+            "CMakeLists.txt",
+        ),
+        ({"setup.py": SETUP.replace("['talker =", "[\n# 'driver = robot.driver:main',\n'talker =")}, "setup.py"),
+    ],
+)
+def test_a_program_that_is_commented_out_in_the_build_is_information(findings, files, build: str):
+    """Whoever took it out knows that the launch file does not start it now."""
+    (told,) = findings("LCH001", node(exec="driver"), **files)
+    assert told.message == f"package 'robot' installs no executable 'driver': its lines in {build} are a comment"
+    assert told.severity is Severity.INFO
+    (told,) = findings("LCH001", node(exec="steerer"), **files)
+    assert told.severity is Severity.ERROR
+
+
+@pytest.mark.parametrize(
     ("package", "help"),
     [
         ("turtlesim", "give this package a name of its own, so that launch finds that of ROS"),

@@ -285,7 +285,9 @@ def test_the_only_module_of_that_name_in_another_folder_was_meant(findings):
     (found,) = findings("PKG002", **{"setup.py": setup}, **below, **bridge)
     assert found.message.endswith("; did you mean 'robot.envs.utils.bridge'?")
     assert found.help == "write 'bridge = robot.envs.utils.bridge:main'"
-    (found,) = findings("PKG002", **{"setup.py": setup}, **below, **bridge, **{"robot/tools/bridge.py": "def main(): 1"})
+    (found,) = findings(
+        "PKG002", **{"setup.py": setup}, **below, **bridge, **{"robot/tools/bridge.py": "def main(): 1"}
+    )
     assert found.help == LEFT_OVER
 
 

@@ -12,6 +12,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.wait_words import made_here
 from archlint.execution.long_stays import LongStay, period_of
 from archlint.execution.loop_times import in_loops
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.execution.sleeps import Stay
@@ -20,9 +21,12 @@ if TYPE_CHECKING:
 
 
 def are_brief(system: System, rows: Sequence[LongStay], *, quiet: bool) -> bool:
-    """Whether the waits of a function are sleeps in a trial, or ``quiet`` and short looks for servers."""
+    """Whether the waits of a function are sleeps in a trial, or ``quiet`` and short looks for servers, or commands that
+    the response to a request tells of."""
     code = source_code(system)
-    return all(_is_in_a_test(code, row) for row in rows) or (quiet and _looks_briefly(system, rows))
+    if all(_is_in_a_test(code, row) for row in rows):
+        return True
+    return quiet and (_looks_briefly(system, rows) or _runs_commands_for_a_request(rows))
 
 
 _BRIEF = 0.2
@@ -58,6 +62,18 @@ def _looks_briefly(system: System, rows: Sequence[LongStay]) -> bool:
 def _fills_its_period(system: System, call: ApiCall, stay: Stay) -> bool:
     period = period_of(system, call)
     return period is not None and (stay.seconds or math.inf) >= period
+
+
+_COMMANDS = 10.0
+"""Seconds that the commands of a request may take at most: few need a part of that."""
+
+
+def _runs_commands_for_a_request(rows: Sequence[LongStay]) -> bool:
+    """Whether a service handler only runs commands, which it ends itself after a short time in all: the client wants
+    to know how they went."""
+    return sum(stay.seconds or math.inf for _, _, stay in rows) <= _COMMANDS and all(
+        stay.kind == "process" and call.context.role == Role.SERVICE and not call.looped for _, call, stay in rows
+    )
 
 
 __all__ = ["are_brief"]

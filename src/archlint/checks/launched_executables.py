@@ -17,6 +17,7 @@ from archlint.launch.kinds import StartedKind
 from archlint.launch_files.shown_files import is_shown_only
 from archlint.launch_files.unadded_programs import unadded_programs
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
+from archlint.packaging.commented_out import commented_out_in
 from archlint.packaging.entry_points import is_empty, only_defines_node, starts_nothing
 from archlint.packaging.unbuilt_programs import unbuilt_source
 from archlint.ros.released_programs import launch_file_instead, programs_instead, programs_of
@@ -79,8 +80,8 @@ def _of_program(system: System, workspace: WorkspaceIndex, options: Options, sta
         group=(installs.package, _LEFT_OUT if advice.is_left_out else name),
     )
     # A file that only shows how one is written may have made-up names.
-    is_made_up = not advice.hint and is_shown_only(system)
-    yield replace(told, severity=Severity.INFO) if is_made_up else told
+    is_meant = advice.is_on_purpose or (not advice.hint and is_shown_only(system))
+    yield replace(told, severity=Severity.INFO) if is_meant else told
 
 
 def _not_in_sight(installs: Installs, started: Started, name: str) -> Iterator[Finding]:
@@ -319,6 +320,7 @@ class _Advice(NamedTuple):
     help: str
     is_left_out: bool = False
     """Whether its file is there, so that one edit of a build file mends it together with others."""
+    is_on_purpose: bool = False
 
 
 def _included(installs: Installs, started: Started, name: str, workspace: WorkspaceIndex) -> _Advice | None:
@@ -357,6 +359,9 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> _Advic
     there = [file for file in files if posixpath.basename(file) == name]
     if len(there) == 1:
         return _Advice(did_you_mean(name, known), f"install {there[0]} in {build}")
+    if file := commented_out_in(workspace, installs.build_files, name):
+        help = "remove the node, or take the marks of the comment away"
+        return _Advice(f": its lines in {file} are a comment", help, is_on_purpose=True)
     stems = {name, name.removesuffix("_node")} - {_stem(executable) for executable in installed.values()}
     meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
     if len(meant) == 1 and is_empty(workspace, meant[0]):
