@@ -85,6 +85,22 @@ def test_texts_that_stand_for_themselves(
     assert [row.severity for row in rows] == told
 
 
+@pytest.mark.parametrize(
+    ("guard", "others", "option", "told"),
+    [
+        ("", IDLES, "", 1),
+        ("if self.free: ", {}, "", 1),
+        ("if self.free: ", IDLES, "", 0),
+        ("if self.free: ", IDLES, "[rules.OWN001]\noccasions = true\n", 1),
+    ],
+)
+def test_who_publishes_under_a_condition_may_have_its_turn(
+    folder: Path, guard: str, others: dict[str, str], option: str, told: int
+):
+    nodes = {"one": speaker("One", "Twist", "cmd_vel"), "two": speaker("Two", "Twist", "cmd_vel", guard=guard)}
+    assert len(findings(folder, f'select = ["OWN001"]\n{option}', {"a": "one two"}, {**nodes, **others})) == told
+
+
 GOAL = "self.create_subscription(PoseStamped, '{}', self.tick, 10)"
 
 

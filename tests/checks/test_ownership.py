@@ -30,7 +30,7 @@ from systems.builders import (
     system,
 )
 
-NOTHING_SAID = Options(own={"texts": True})
+NOTHING_SAID = Options(own={"texts": True, "occasions": True})
 TWIST = "geometry_msgs/msg/Twist"
 
 
@@ -181,7 +181,7 @@ class TestMultiplePublishers:
     def test_topics_that_the_team_shares(self):
         judged = system(node("/a", publisher("events/door")), node("/b", publisher("events/door")))
 
-        assert owners(judged, Options(shared_topics=("/events/*",), own={"texts": True})) == []
+        assert owners(judged, Options(shared_topics=("/events/*",), own={"texts": True, "occasions": True})) == []
 
     def test_packages_that_have_nothing_to_do_with_each_other(self):
         one, other = node("/a", publisher("x")), node("/b", publisher("x"), package="other")

@@ -1042,14 +1042,14 @@ def test_a_handler_is_not_told_to_go_on_later(run: Run):
         ("subprocess.run(['make'], timeout=10)", []),
         ("subprocess.run(['make'], timeout=60)", ["EXE003"]),
         ("subprocess.run(['make'], timeout=6)\n    subprocess.run(['cmake'], timeout=6)", ["EXE003"]),
-        ("for _ in request.names:\n        subprocess.run(['make'], timeout=6)", ["EXE003"]),
+        ("for _ in (1, 2):\n        subprocess.run(['make'], timeout=6)", ["EXE003"]),
     ],
 )
 def test_a_handler_may_wait_a_short_time_for_the_command_that_it_tells_of(run: Run, command: str, expected: list[str]):
     create = "self.create_service(Trigger, 'go', self.go)\n" + TIMER
     method = timer("pass") + f"\ndef go(self, request, response):\n    {command}\n    return response\n"
     assert codes(run(source(create, method))) == expected
-    assert codes(run(source(create, timer(command.replace("request.names", "range(9)"))))) == ["EXE003"]
+    assert codes(run(source(create, timer(command)))) == ["EXE003"]
 
 
 def test_a_client_that_is_made_here_has_found_nobody_yet(run: Run):

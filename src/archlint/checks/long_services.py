@@ -27,7 +27,7 @@ from archlint.execution.longest_way import Stretch, longest_way
 from archlint.execution.loop_stops import can_be_stopped
 from archlint.execution.loop_times import in_loops, varies_by_iteration, watches_the_clock
 from archlint.execution.requested_times import lasts_as_requested
-from archlint.execution.retries import around_future, is_retry, reads_until_it_has
+from archlint.execution.retries import around_future, gives_up, is_retry, reads_until_it_has
 from archlint.execution.sleeps import Stay, stay_of
 from archlint.execution.stuck import clients_of_handlers
 from archlint.finding import Finding, Related, Severity
@@ -175,7 +175,13 @@ def _long_service(
         in_own_file=True,
         deep=DEEP,
     )
-    return replace(diagnostic, severity=Severity.INFO) if asked or soon or pause else diagnostic
+    mild = asked or soon or pause or (math.isinf(total) and _give_up(source_code(system), sleeps))
+    return replace(diagnostic, severity=Severity.INFO) if mild else diagnostic
+
+
+def _give_up(code: SourceCode, sleeps: Sequence[_Sleep]) -> bool:
+    """Whether all sleeps of which nobody knows how long they take are in loops that end by themselves."""
+    return all(gives_up(code, call) for call, stay in sleeps if math.isinf(_seconds(code, call, stay)))
 
 
 @folds("SRV008")

@@ -42,11 +42,13 @@ if TYPE_CHECKING:
 _EMPTY = "std_msgs/msg/Empty"
 
 
-@rule("OWN001", scope=Scope.SYSTEM, texts=False)
+@rule("OWN001", scope=Scope.SYSTEM, texts=False, occasions=False)
 def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
     """Topics with publishers in several nodes that run together; what a launch file starts that is put aside runs no
-    more.  Texts that stand for themselves count in a lesson and with ``texts``."""
-    texts = options.flag("texts") or is_lesson(system)
+    more.  Texts that stand for themselves count in a lesson and with ``texts``, and so do with ``occasions`` nodes of
+    which one alone publishes whatever happens."""
+    lesson = is_lesson(system)
+    texts, occasions = options.flag("texts") or lesson, options.flag("occasions") or lesson
     if system.launched is not None and is_disused(system.workspace, system.launched.file):
         return
     findings = [
@@ -54,7 +56,9 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
         for connection in system.topics.values()
         if not _is_shared(connection, options)
         for owners in several_owners(system, connection)
-        if not _is_meant(system, connection, owners) and (texts or _is_obeyed(connection, owners))
+        if not _is_meant(system, connection, owners)
+        and (texts or _is_obeyed(connection, owners))
+        and (occasions or _all_insist(system, owners))
     ]
     gravest: dict[tuple[str, ...], Severity] = {}
     for finding in findings:
@@ -89,6 +93,12 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
     if not some_coexist(system, owners):
         return True  # alternatives, or started by hand by somebody who knows what else runs
     return hand_over(owners) or take_turns(system, owners)
+
+
+def _all_insist(system: System, owners: list[Endpoint]) -> bool:
+    """Whether two of several nodes publish whatever happens, or all run the same code: a condition or a word from
+    elsewhere may be what lets one of them speak at a time."""
+    return are_of_one_class(owners) or sum(sends_again_and_again(system, end) for end in owners) > 1
 
 
 def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) -> Finding:

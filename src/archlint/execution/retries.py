@@ -100,6 +100,30 @@ def _leaves(statement: facts.Stmt) -> bool:
     return is_break or isinstance(statement, facts.Return)
 
 
+def gives_up(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a loop around a call ends by itself, after some attempts or a time, although nobody knows after how long:
+    a ``for`` that is left once something has worked, or ``if elapsed > limit: break`` behind ``elapsed = time.time() -
+    start``."""
+    return is_retry(code, call) or any(map(_is_timed, code.loops(call)))
+
+
+def _is_timed(loop: Loop) -> bool:
+    times = set(CLOCKS)
+    for assignment in statements_of(loop.body, facts.Assign):
+        if not times.isdisjoint(names_in(assignment.value)):
+            times |= names_in(assignment.targets)
+    return any(
+        isinstance(check.test, facts.Compare)
+        and not times.isdisjoint(names_in(check.test))
+        and any(map(_ends_loop, check.body))
+        for check in statements_of(loop.body, facts.If)
+    )
+
+
+def _ends_loop(statement: facts.Stmt) -> bool:
+    return _leaves(statement) or isinstance(statement, facts.Raise)
+
+
 def around_future(code: SourceCode, call: ApiCall) -> bool:
     """A loop around a future: that wait is what is wrong, not its pace."""
     return any("done" in names_in(loop.tests) or ends_with_a_future(loop) for loop in code.loops(call))
