@@ -32,6 +32,12 @@ def test_the_old_template(findings):
     assert [row.place.line for row in (finding, *finding.related)] == [2, 4]
 
 
+@pytest.mark.parametrize(("pin", "told"), [("==45.2.0", 0), ("<50", 0), ("", 1), (">=45", 1), ("==65.0.0", 1)])
+def test_a_package_that_asks_for_an_old_setuptools(findings, pin: str, told: int):
+    options = f"[options]\ninstall_requires =\n    pyserial\n    setuptools{pin}\n"
+    assert len(findings("PKG010", **{"setup.cfg": OLD + options})) == told
+
+
 def test_all_packages_of_one_template_are_one_finding(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for name in ("arm", "base", "robot"):

@@ -1279,6 +1279,13 @@ MANY_NODES = "".join(
         ("self.get_logger().info(str(request.data)); time.sleep(5.0); response.success = True", []),
         ("move(request.data); time.sleep(5.0)", ["SRV008"]),
         ("while self.moves():\n        time.sleep(0.5)", ["SRV008"]),
+        (
+            "begin = time.time()\n    while self.moves():\n        passed = time.time() - begin\n"
+            "        if passed > self.limit():\n            break\n        time.sleep(0.5)",
+            [],
+        ),
+        ("for _ in range(self.tries()):\n        if self.opens(): break\n        time.sleep(self.pause())", []),
+        ("for _ in range(self.tries()):\n        self.opens()\n        time.sleep(self.pause())", ["SRV008"]),
     ],
 )
 def test_short_pauses_are_for_lessons(run: Run, tmp_path: Path, body: str, expected: list[str]):

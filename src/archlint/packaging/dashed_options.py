@@ -52,12 +52,26 @@ def dashed_options(workspace: WorkspaceIndex) -> Iterator[DashedOption]:
             continue
         if names_no_distro(workspace) and _is_of_old_template(workspace, folder):
             continue
+        if _pins_old_setuptools(workspace, folder):
+            continue
         section = ""
         for number, line in enumerate(text.splitlines(), 1):
             head, option = _SECTION.match(line), _OPTION.match(line)
             section = head[1] if head is not None else section
             if option is not None and section in _JUDGED:
                 yield DashedOption(option[1], Place(path, number, 1, number, len(option[1]) + 1))
+
+
+_PIN = re.compile(r"\bsetuptools\s*(?:==|~=|<=?)\s*(\d+)")
+_WARNS_SINCE = 54
+
+
+def _pins_old_setuptools(workspace: WorkspaceIndex, folder: str) -> bool:
+    """Whether a package asks for a setuptools that does not warn yet."""
+    paths = (posixpath.normpath(posixpath.join(folder, name)) for name in ("setup.cfg", "setup.py", "requirements.txt"))
+    return any(
+        int(pin) < _WARNS_SINCE for path in paths for pin in _PIN.findall(workspace.tree.text(path) or "") if pin
+    )
 
 
 _ALL_OF_OLD_TEMPLATE = re.compile(r"\bpackages=\[package_name\],")
