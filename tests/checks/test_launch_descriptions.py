@@ -187,6 +187,7 @@ def test_a_setting_that_nothing_adds(findings, action):
     [
         "return LaunchDescription([\n        # talker,\n    ])",  # somebody has taken it out
         "ld = LaunchDescription()\n    ld.add_action(talker)\n    return ld",
+        "ld = LaunchDescription()\n    # ld.add_action(talker_node)\n    return ld",  # it had another name then
         "return LaunchDescription(list(locals().values()))",
         '"""Add what you need: Talker, listener."""\n    return LaunchDescription([])',
     ],

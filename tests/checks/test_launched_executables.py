@@ -201,6 +201,18 @@ def test_where_the_share_folder_of_a_renamed_package_is_looked_for(findings):
     assert [(row.place.line, row.message) for row in finding.related] == [(2, "its share folder is looked for here")]
 
 
+def test_the_other_places_of_a_renamed_package_are_told_once(findings):
+    """LCH004 does not say again what LCH001 shows, and nobody is to declare a package that is not there."""
+    inner = node("\n" + '<param from="$(find-pkg-share robto)/config/talker.yaml"/>', pkg="robto", exec="talker")
+    here = {"config/talker.yaml": "", "README.md": "", "robto_ros/.gitkeep": ""}
+    assert findings("LCH004", inner, **here) == []
+    assert [told.message for told in findings("PKG001", inner, **here) if "robto" in told.message] == []
+    (told,) = findings(
+        "LCH004", inner.replace("exec='talker'", "exec='tower'").replace('exec="talker"', 'exec="tower"')
+    )
+    assert told.message.startswith("there is no package 'robto'")
+
+
 OF_TWO_WORDS = {"setup.py": SETUP.replace("talker =", "arm_talker =")}
 
 

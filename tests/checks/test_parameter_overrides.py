@@ -580,9 +580,12 @@ def test_a_value_for_what_the_launch_file_turns_off_waits_for_it(findings, contr
     assert [finding.identity[1] for finding in told] == ["speed"]
 
 
-@pytest.mark.parametrize(("makes", "told"), [("MoveItPy(node_name='planner')", 0), ("str('planner')", 1)])
+@pytest.mark.parametrize(
+    ("makes", "told"),
+    [("MoveItPy(node_name='planner')", 0), ("rclcpp.Node('planner', rclcpp.NodeOptions())", 0), ("str('planner')", 1)],
+)
 def test_a_node_of_cpp_in_the_same_process_takes_parameters_too(findings, makes: str, told: int):
-    talker = TALKER.replace("import rclpy\n", "import rclpy\nfrom moveit.planning import MoveItPy\n", 1)
+    talker = TALKER.replace("import rclpy\n", "import rclcpp\nimport rclpy\nfrom moveit.planning import MoveItPy\n", 1)
     talker = talker.replace("    rclpy.spin", f"    planner = {makes}\n    rclpy.spin")
     assert len(findings("{'robot_description': 'x'}", talker=talker)) == told
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from archlint.systems.nodes import Node
 
 
-_MAKES_A_NODE = frozenset({"moveit.planning.MoveItPy"})
+_MAKES_A_NODE = frozenset({"moveit.planning.MoveItPy", "rclcpp.Node"})
 """Classes that make a node of C++ in the process, which declares parameters of its own."""
 
 

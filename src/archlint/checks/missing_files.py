@@ -26,7 +26,13 @@ from archlint.launch_files.missing_files import (
     other_package_with,
     path_of_these_parts,
 )
-from archlint.packaging.absent_packages import is_nowhere, is_placeholder, package_meant, package_with
+from archlint.packaging.absent_packages import (
+    is_nowhere,
+    is_placeholder,
+    is_told_at_a_start,
+    package_meant,
+    package_with,
+)
 from archlint.packaging.generated_files import has_template, is_generated, is_ignored
 from archlint.packaging.misplaced_folders import is_told_with_its_folder
 from archlint.suggestions import common_words, distance, have_same_words, listed, meant, nearest
@@ -222,6 +228,8 @@ def _absent_packages(system: System) -> Iterator[Finding]:
         if reference.optional or (place, package) in seen or not is_nowhere(workspace, package):
             continue
         seen.add((place, package))
+        if system.launched is not None and is_told_at_a_start(workspace, system.launched, package):
+            continue  # LCH001 says which package was meant, and shows this place
         named = _below_package(reference.written or "")
         near = package_meant(workspace, package, named, reference.place.file) or package_with(
             workspace, package, named, reference.place.file

@@ -19,6 +19,7 @@ from archlint.checks.unknown_dependencies import names_meant
 from archlint.connections.parts_elsewhere import is_fetched, may_be_in_a_submodule, may_come_with_another
 from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
+from archlint.packaging.absent_packages import is_told_as_another
 from archlint.packaging.skipped_packages import skipped_packages
 from archlint.packaging.uninstalled_files import is_left_out_launch_file
 from archlint.packaging.unused_files import nothing_runs
@@ -62,6 +63,8 @@ def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
     checked out, or to another manifest here.  Of a name that is nowhere nobody knows what to declare, and rosdep stops
     at it."""
     known = name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
+    if not known and is_told_as_another(workspace, name):
+        return False  # LCH001 or LCH004 says what is to be written for it
     return (
         known
         or is_fetched(workspace, name)

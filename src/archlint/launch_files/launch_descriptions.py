@@ -152,7 +152,10 @@ def _is_put_aside(workspace: WorkspaceIndex, file: str, wrong: WrongDescription)
     taken it out of the list, or offers it there.  Others of its kind are left out with it."""
     if wrong.kind != Wrong.NOT_ADDED:
         return False
-    word = re.compile(rf"(?<!\w){re.escape(wrong.given)}(?!\w)", re.IGNORECASE)
+    first = re.escape(wrong.given.partition("_")[0])
+    word = re.compile(
+        rf"(?<!\w){re.escape(wrong.given)}(?!\w)|\badd_action\(\s*{first}_\w+\)", re.IGNORECASE
+    )  # gps_cmd may have been gps_node where its line was taken out
     text = workspace.tree.text(file) or ""
     comments = [line[line.find("#") :] for line in text.split("\n") if "#" in line]
     return any(word.search(comment) for comment in (*comments, *(block[2] for block in _TEXT_BLOCK.finditer(text))))

@@ -17,6 +17,7 @@ from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
+    from archlint.launch.model import Launched
     from archlint.systems.model import WorkspaceIndex
 
 _PLACEHOLDER = re.compile(r"(?:.*_)?your_.+|package_name|(?:your|ros)?_?pkg_name|PACKAGE_NAME|YOUR_.+")
@@ -64,18 +65,25 @@ def is_told_as_another(workspace: WorkspaceIndex, package: str) -> bool:
     if is_placeholder(package) or package != package.strip():
         return True
     for launched in workspace.launched:
-        for started in launched.started:
-            name = started.executable.text
-            if started.package.text == package and name is not None:
-                here = [own for own, installs in workspace.installs.items() if name in installs.executables]
-                if nearest(package, here) or package_that_installs(workspace, package, name, started.file):
-                    return True
+        if is_told_at_a_start(workspace, launched, package):
+            return True
         for reference in launched.references:
             if reference.package == package:
                 path = _BELOW.sub("", reference.written or "")
                 file = reference.place.file
                 if package_meant(workspace, package, path, file) or package_with(workspace, package, path, file):
                     return True
+    return False
+
+
+def is_told_at_a_start(workspace: WorkspaceIndex, launched: Launched, package: str) -> bool:
+    """The same where a launch file starts a program of it: LCH001 says so, and where its share folder is looked for."""
+    for started in launched.started:
+        name = started.executable.text
+        if started.package.text == package and started.package.resolution == "exact" and name is not None:
+            here = [own for own, installs in workspace.installs.items() if name in installs.executables]
+            if nearest(package, here) or package_that_installs(workspace, package, name, started.file):
+                return True
     return False
 
 
@@ -274,6 +282,7 @@ __all__ = [
     "is_nowhere",
     "is_placeholder",
     "is_told_as_another",
+    "is_told_at_a_start",
     "is_wanted_from_elsewhere",
     "owners_of_component",
     "package_meant",

@@ -35,8 +35,9 @@ ROWS = (
     ),
     Api("rclpy.experimental.async_node.AsyncNode", f"node_name {_NODE_OPTIONS}", effect="create_node"),
     Api("rclpy.experimental.async_node.AsyncNode.__init__", f"node_name {_NODE_OPTIONS}", effect="node_init"),
-    # ---- what makes a node of C++ in the same process (moveit_py, moveit/planning.py)
+    # ---- what makes a node of C++ in the same process (moveit_py, moveit/planning.py; py_binding_tools, rclcpp.cpp)
     Api("moveit.planning.MoveItPy", "node_name", watched=True),
+    Api("rclcpp.Node", "name options", watched=True),
     # ---- before there is any
     Api("rclpy.init", "* args context domain_id signal_handler_options", effect="initialise"),
     # ---- names of nodes
