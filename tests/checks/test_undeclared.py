@@ -654,7 +654,7 @@ def test_types_of_a_package_that_is_nowhere_are_told_apart(lint: Lint):
     }
     first, second = lint(files)
     assert first.message.startswith(
-        "package 'talk' imports 'secret_msgs', which is neither in this workspace nor released"
+        "package 'talk' imports 'secret_msgs', which is neither in this workspace nor in rosdistro"
     )
     assert missing([second]) == ["sensor_msgs"]
 
@@ -681,10 +681,27 @@ def started(package: str, executable: str = "run_it") -> str:
     return f"Node(package='{package}', executable='{executable}')"
 
 
+@pytest.mark.parametrize(
+    ("package", "comment", "told"),
+    [
+        ("isaac_ros_visual_slam", "", 0),  # NVIDIA has a repository of its own for apt
+        ("visual_slam", "", 1),
+        ("secret_driver", "# https://example.org/acme/secret_driver", 0),
+        ("secret_driver", "# https://example.org/acme/secret-driver_node.git", 0),
+        ("secret_driver", "# https://example.org/acme/secret_drivers", 1),
+        ("secret_driver", "# secret_driver is started here", 1),
+    ],
+)
+def test_a_launch_file_that_says_where_a_package_comes_from(lint: Lint, package: str, comment: str, told: int):
+    files = launching(started(package))
+    launch_file = "talk/launch/talk.launch.py"
+    assert len(lint(files | {launch_file: f"{comment}\n{files[launch_file]}"})) == told
+
+
 def test_a_package_that_a_launch_file_names_and_that_is_nowhere(lint: Lint):
     (found,) = lint(launching(started("secret_driver")))
     assert found.message == (
-        "package 'talk' starts a node of 'secret_driver', which is neither in this workspace nor released for ROS 2, "
+        "package 'talk' starts a node of 'secret_driver', which is neither in this workspace nor in rosdistro, "
         "and which its package.xml does not declare"
     )
     assert (found.fix, found.place.line) == (None, 8)
@@ -740,7 +757,7 @@ def test_all_that_are_nowhere_are_one_finding_for_a_package(lint: Lint):
     actions = [started("secret_driver"), f"Node(package='talk', executable='a', parameters=[{{'map': {config}}}])"]
     (found,) = lint(launching(*actions))
     assert found.message == (
-        "package 'talk' uses 2 packages that are neither in this workspace nor released for ROS 2, and that its "
+        "package 'talk' uses 2 packages that are neither in this workspace nor in rosdistro, and that its "
         "package.xml does not declare: secret_driver, secret_maps"
     )
     assert [row.message for row in found.related] == ["'secret_maps' is named here"]
@@ -1269,9 +1286,9 @@ PART = "from launch import LaunchDescription\n\ndef generate_launch_description(
         ("secret_ros", "which its package.xml does not declare"),  # not checked out: it may be in there
         ("ros-secret-driver", "which its package.xml does not declare"),  # it has the name of the package in its own
         ("ros_secret", "which its package.xml does not declare"),  # it has the word with which that begins
-        ("ros-hidden-driver", "neither in this workspace nor released"),
-        ("hidden_ros", "neither in this workspace nor released"),
-        ("talk", "neither in this workspace nor released"),  # checked out, and it is not there
+        ("ros-hidden-driver", "neither in this workspace nor in rosdistro"),
+        ("hidden_ros", "neither in this workspace nor in rosdistro"),
+        ("talk", "neither in this workspace nor in rosdistro"),  # checked out, and it is not there
     ],
 )
 def test_a_package_that_a_submodule_may_bring(lint: Lint, submodule: str, said: str):
@@ -1285,7 +1302,7 @@ def test_a_package_that_a_submodule_may_bring(lint: Lint, submodule: str, said: 
     ("declared", "said"),
     [
         ("fast_local_planner", "which its package.xml does not declare"),  # of which nothing is known
-        ("fast_global_planner", "neither in this workspace nor released"),
+        ("fast_global_planner", "neither in this workspace nor in rosdistro"),
     ],
 )
 def test_a_package_with_the_initials_of_an_unknown_one(lint: Lint, declared: str, said: str):

@@ -70,10 +70,12 @@ def _finding(package: Package, by_name: dict[str, list[Use]]) -> Finding:
     instead = of_ros_1.instead if of_ros_1 is not None else ""
     if len(names) == 1:
         what = f"package '{package.name}' {first.how} '{names[0]}', which"
-        what += " is neither in this workspace nor released for ROS 2, and which its package.xml does not declare"
+        what += " is neither in this workspace nor in rosdistro, and which its package.xml does not declare"
     else:
-        what = f"package '{package.name}' uses {len(names)} packages that are neither in this workspace nor released"
-        what += f" for ROS 2, and that its package.xml does not declare: {listed(names)}"
+        what = (
+            f"package '{package.name}' uses {len(names)} packages that are neither in this workspace nor in rosdistro"
+        )
+        what += f", and that its package.xml does not declare: {listed(names)}"
     name = "the name" if len(names) == 1 else "each name"
     return finding(
         "PKG001",

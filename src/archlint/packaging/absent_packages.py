@@ -43,9 +43,13 @@ def is_from_nowhere(workspace: WorkspaceIndex, package: str) -> bool:
     from elsewhere by no file of the workspace, and that of no folder or manifest here which was not read."""
     if not is_nowhere(workspace, package) or package in packages.table().ended or may_be_on_focal(workspace):
         return False
+    if package.startswith(_OF_NVIDIA):
+        return False
     return not (is_wanted_from_elsewhere(workspace, package) or package in folders_and_manifests(workspace))
 
 
+_OF_NVIDIA = ("isaac_ros_", "nvblox_")
+"""How the packages of Isaac ROS begin, which NVIDIA releases in a repository of its own and not in rosdistro."""
 _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
 
 
@@ -206,6 +210,8 @@ _ASKING = re.compile(
 _DOCUMENT = re.compile(r".*\.(?:md|rst)")
 _FETCHED = re.compile(r"^.*(?:://|\bclone\b|\bapt\b).*$", re.MULTILINE)
 """The lines of a document that say where a package comes from."""
+_LINK_BESIDE = re.compile(r"^[ \t]*(?:#|<!--).*://.*$", re.MULTILINE)
+"""The same in a comment of a launch file."""
 
 
 def is_wanted_from_elsewhere(workspace: WorkspaceIndex, package: str) -> bool:
@@ -214,7 +220,8 @@ def is_wanted_from_elsewhere(workspace: WorkspaceIndex, package: str) -> bool:
 
 
 def _is_wanted_from_elsewhere(workspace: WorkspaceIndex, package: str) -> bool:
-    word = re.compile(rf"(?<![\w-]){re.escape(package).replace('_', '[_-]')}(?![\w-])")
+    name = re.escape(package).replace("_", "[_-]")
+    word = re.compile(rf"(?<![\w-]){name}(?:[_-](?:node|ros2?))?(?![\w-])")
     if any(package in installs.words for installs in workspace.installs.values()):
         return True
     return any(word.search(text) for text in _asking_texts(workspace))
@@ -229,6 +236,8 @@ def _asking_texts(workspace: WorkspaceIndex) -> tuple[str, ...]:
             texts.append(workspace.tree.text(path) or "")
         elif _DOCUMENT.fullmatch(name):
             texts.append("\n".join(_FETCHED.findall(workspace.tree.text(path) or "")))
+        elif workspace.launch_files.can_be_launched(path):
+            texts.append("\n".join(_LINK_BESIDE.findall(workspace.tree.text(path) or "")))
     return tuple(texts)
 
 
