@@ -437,6 +437,7 @@ def test_a_name_that_nothing_else_has(judge: Judge, name: str, help: str):
         {"config/robot.yaml": "type: acme_interfaces/msg/Speed\n"},
         {"launch/it.launch.xml": '<launch><include file="$(find-pkg-share acme_interfaces)/a.launch.xml"/></launch>'},
         {"other/acme_interfaces/CMakeLists.txt": "project(other)\n"},
+        {"launch/it.launch.xml": '<launch><node pkg="acme_interfaces_node" exec="relay"/></launch>'},
     ],
 )
 def test_a_name_that_something_else_has_may_come_from_elsewhere(judge: Judge, files: dict[str, str]):

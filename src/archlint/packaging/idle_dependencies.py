@@ -41,9 +41,15 @@ def is_idle(workspace: WorkspaceIndex, package: Package, name: str, known: froze
     return not is_wanted_from_elsewhere(workspace, name) and not _is_a_word_of(workspace, name)
 
 
+_PARTS = ("driver", "interfaces", "msgs", "node", "nodes", "ros", "ros2")
+"""What names of packages have at their end that lie in a repository of the shorter name."""
+
+
 def _is_a_word_of(workspace: WorkspaceIndex, name: str) -> bool:
-    """Whether a text of a workspace, but for its manifests, or the path of a file has a name, be it with dashes."""
-    spelt = {name, name.replace("_", "-")}
+    """Whether a text of a workspace, but for its manifests, or the path of a file has a name, be it with dashes, or one
+    of two words as the beginning of a longer name: ``pose_to_tf_node`` for ``pose_to_tf``."""
+    longer = {f"{name}_{part}" for part in _PARTS} if "_" in name else set()
+    spelt = {name, name.replace("_", "-"), *longer}
     word = re.compile(rf"(?<![\w-])(?:{'|'.join(map(re.escape, sorted(spelt)))})(?![\w-])")
 
     def has(text: str) -> bool:
