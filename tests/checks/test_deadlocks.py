@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from pathlib import Path
 
 import pytest
 
@@ -428,6 +429,13 @@ class Camera(Node):
 
 
 """
+
+
+@pytest.mark.parametrize(("image", "told"), [("ros:humble", 0), ("ros:jazzy", 1), ("ubuntu", 1)])
+def test_what_works_in_the_only_distribution_that_a_workspace_is_for(run: Run, tmp_path: Path, image: str, told: int):
+    (tmp_path / "Dockerfile").write_text(f"FROM {image}\n", encoding="utf-8")
+    text = source("self.camera = Camera()\n" + TIMER, "def tick(self):\n    rclpy.spin_once(self.camera)\n")
+    assert len(run(text.replace("class Robot", CAMERA + "class Robot"))) == told
 
 
 @pytest.mark.parametrize("head", ["def tick(self, request, response):", "def tick(self):"])

@@ -73,6 +73,11 @@ def is_for_humble_or_newer(workspace: WorkspaceIndex) -> bool:
     return _is_among(_named_or_told(workspace), frozenset(_SINCE_HUMBLE), but_not=tuple(_OLDER))
 
 
+def is_for_humble_alone(workspace: WorkspaceIndex | None) -> bool:
+    """Whether a workspace is for humble and for no other distribution, by the same evidence."""
+    return workspace is not None and _is_among(_named_or_told(workspace), _HUMBLE, but_not=(*_SINCE_IRON, *_OLDER))
+
+
 def is_from_humble_to_jazzy(workspace: WorkspaceIndex) -> bool:
     """Whether a workspace is for humble, iron or jazzy, and for none before or after, by the same evidence."""
     later = DISTROS[DISTROS.index("jazzy") + 1 :]

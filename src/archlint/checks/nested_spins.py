@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.pinned import is_for_humble_alone
 from archlint.analysis.reach import (
     argument,
     creations_of,
@@ -59,6 +60,8 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
         verdict = verdict.stranding_before("humble", KEPT_IN_HUMBLE_SINCE)
     if verdict.unknown:
         return
+    if verdict.outcomes.get("humble") is blocking.Outcome.FINE and is_for_humble_alone(system.workspace):
+        return  # it works there, and what comes with another distribution nobody has asked for
     function = call.api.rpartition(".")[2]
     diagnostic = finding_in_callback(
         "EXE001",
