@@ -44,7 +44,9 @@ def _said(misused: Misused) -> tuple[str, str]:
                 what
             )
         case Misuse.CONVERTED:
-            help = "give the action the substitution itself: launch makes its value of it"
+            help = "do so in an OpaqueFunction, with the text of perform(context)"
+            if misused.is_given:
+                help = "give the action the substitution itself: launch makes its value of it"
             return f"{misused.operator}() is called with a {what}, which has no value until launch performs it", help
         case Misuse.INDEX:
             effect = "which has no value until launch performs it: the launch stops here"

@@ -195,7 +195,9 @@ def _misused(code: _Code) -> Iterator[Misused]:
                 part.func.last_name in _TAKE_VALUES and id(part) not in printed
             ):
                 if not others or part.func.last_name not in _OF_PYTHON:
-                    yield from _each(code, Misuse.CONVERTED, [argument.value], part.span, part.func.last_name)
+                    hands_on = id(part) in given and part.func.last_name in _OF_PYTHON
+                    for misused in _each(code, Misuse.CONVERTED, [argument.value], part.span, part.func.last_name):
+                        yield replace(misused, is_given=hands_on)
             case facts.Subscript(index=index, span=span):
                 yield from _each(code, Misuse.INDEX, [index], span)
             case facts.Compare(comparators=[facts.Literal(value=None)]):
