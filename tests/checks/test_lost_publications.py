@@ -79,6 +79,14 @@ def test_the_only_message_of_a_program(judge: Judge, lines: str):
     assert "the only message on 'state'" in finding.message
 
 
+def test_a_second_publisher_of_one_topic(judge: Judge):
+    """The first one has long been there."""
+    first = "first = node.create_publisher(String, 'state', 10)\nrclpy.spin_once(node)\nfirst.publish(String())\n"
+    (told,) = judge("TOP006", script(f"{first}{CREATE}publisher.publish(String(data='up'))  # here"))
+    assert told.message.startswith("this is the only message of this publisher of 'state'")
+    assert told.help == "publish it with the publisher of that topic which the node has already"
+
+
 def test_the_only_message_of_a_node(judge: Judge):
     [finding] = judge("TOP006", node("self.publisher.publish(String(data='up'))  # here"))
     assert finding.help == "publish it in a timer, once get_subscription_count() is above 0"

@@ -11,9 +11,10 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.connections.lost_publications import LostPublication, lost_publications
 from archlint.finding import Finding, Related
-from archlint.model import Role
+from archlint.model import EntityKind, Role
 
 if TYPE_CHECKING:
+    from archlint.model import Creation
     from archlint.systems.model import System
     from archlint.systems.nodes import Endpoint
 
@@ -41,13 +42,34 @@ def _finding(system: System, lost: LostPublication) -> Finding:
     call, publisher = lost.call, lost.publisher
     topic = f"'{publisher.name.text}'" if publisher.name.text else "its topic"
     in_node = call.context.role == Role.INIT or call.function.endswith(".__init__")
+    there = _other_publisher(publisher)
+    on_or_of = f"on {topic}" if there is None else f"of this publisher of {topic}"
+    help = f"publish it {'in a timer, ' if in_node else ''}once get_subscription_count() is above 0"
+    related = [Related(publisher.place, "the publisher is created here")]
+    if there is not None:
+        help = "publish it with the publisher of that topic which the node has already"
+        related.append(Related(there.place, "it is created here"))
     return finding(
         "TOP006",
         call.place,
-        f"this is the only message on {topic}, and it is sent as soon as its publisher is created: subscriptions that "
+        f"this is the only message {on_or_of}, and it is sent as soon as its publisher is created: subscriptions that "
         "have not matched by then never get it",
-        help=f"publish it {'in a timer, ' if in_node else ''}once get_subscription_count() is above 0",
-        related=[Related(publisher.place, "the publisher is created here")],
+        help=help,
+        related=related,
         node=node_name(system, publisher.node),
         identity=(call.function, publisher.name.text or ""),
+    )
+
+
+def _other_publisher(publisher: Creation) -> Creation | None:
+    """Another publisher that the node has for the same topic."""
+    node, topic = publisher.node, publisher.name.text
+    rows = () if node is None or topic is None else node.creations
+    return next(
+        (
+            row
+            for row in rows
+            if row.kind == EntityKind.PUBLISHER and row.name.text == topic and row.place != publisher.place
+        ),
+        None,
     )
