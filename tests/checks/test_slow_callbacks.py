@@ -1037,6 +1037,27 @@ def test_a_handler_is_not_told_to_go_on_later(run: Run):
 
 
 @pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (["self.port.write(b'AT')", "time.sleep(0.5)", "return self.port.read(9)"], []),
+        (["self.port.write(b'AT')", "time.sleep(0.5)", "if self.port.in_waiting: return self.port.readline()"], []),
+        (["self.port.write(b'AT')", "time.sleep(2.0)", "return self.port.read(9)"], ["EXE003"]),
+        (["self.port.write(b'AT')", "time.sleep(0.5)", "return self.file.read(9)"], ["EXE003"]),
+        (["self.port.read(9)", "time.sleep(0.5)", "self.port.write(b'AT')"], ["EXE003"]),
+        (["if self.seen is None:", "    time.sleep(0.5)", "    return", "self.port.write(b'AT')"], []),
+        (["if self.seen is None:", "    time.sleep(0.5)", "self.port.write(b'AT')"], ["EXE003"]),
+        (["if self.seen is not None:", "    time.sleep(0.5)", "    return", "self.port.write(b'AT')"], ["EXE003"]),
+    ],
+)
+def test_pauses_for_a_device_or_for_what_has_not_arrived(run: Run, lines: list[str], expected: list[str]):
+    create = "self.port = open_port()\nself.seen = load_seen()\nself.file = load_file()\n" + TIMER
+    create += "self.create_subscription(Empty, 'stop', self.on_stop, 10)\n"
+    stops = "\ndef on_stop(self, message):\n    self.port.close()\n"
+    text = source(create.replace("1.0", "3.0").replace("5.0", "3.0"), timer("\n    ".join(lines)) + stops)
+    assert [code for code in codes(run(text)) if code == "EXE003"] == expected
+
+
+@pytest.mark.parametrize(
     ("command", "expected"),
     [
         ("subprocess.run(['make'], timeout=10)", []),
@@ -1049,7 +1070,7 @@ def test_a_handler_may_wait_a_short_time_for_the_command_that_it_tells_of(run: R
     create = "self.create_service(Trigger, 'go', self.go)\n" + TIMER
     method = timer("pass") + f"\ndef go(self, request, response):\n    {command}\n    return response\n"
     assert codes(run(source(create, method))) == expected
-    assert codes(run(source(create, timer(command)))) == ["EXE003"]
+    assert codes(run(source(TIMER, timer(command)))) == ["EXE003"]
 
 
 def test_a_client_that_is_made_here_has_found_nobody_yet(run: Run):

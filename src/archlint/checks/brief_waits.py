@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.wait_words import made_here
+from archlint.execution.device_pauses import is_for_an_answer, is_for_what_has_not_arrived
 from archlint.execution.long_stays import LongStay, period_of
 from archlint.execution.loop_times import in_loops
 from archlint.model import Role
@@ -21,12 +22,14 @@ if TYPE_CHECKING:
 
 
 def are_brief(system: System, rows: Sequence[LongStay], *, quiet: bool) -> bool:
-    """Whether the waits of a function are sleeps in a trial, or ``quiet`` and short looks for servers, or commands that
-    the response to a request tells of."""
+    """Whether the waits of a function are sleeps in a trial, or ``quiet`` and short looks for servers, commands that
+    the response to a request tells of, or pauses that are made on purpose."""
     code = source_code(system)
     if all(_is_in_a_test(code, row) for row in rows):
         return True
-    return quiet and (_looks_briefly(system, rows) or _runs_commands_for_a_request(rows))
+    return quiet and (
+        _looks_briefly(system, rows) or _runs_commands_for_a_request(rows) or _are_on_purpose(system, code, rows)
+    )
 
 
 _BRIEF = 0.2
@@ -74,6 +77,21 @@ def _runs_commands_for_a_request(rows: Sequence[LongStay]) -> bool:
     return sum(stay.seconds or math.inf for _, _, stay in rows) <= _COMMANDS and all(
         stay.kind == "process" and call.context.role == Role.SERVICE and not call.looped for _, call, stay in rows
     )
+
+
+_PAUSES = 1.0
+"""Seconds of pauses that a device or a lack of data explains."""
+
+
+def _are_on_purpose(system: System, code: SourceCode, rows: Sequence[LongStay]) -> bool:
+    """Whether a function only pauses, for a short time in all: around what it asks a device, or where a timer's
+    callback has nothing to do yet and returns."""
+    sleeps = all(stay.kind == "sleep" and not call.looped for _, call, stay in rows)
+    if not sleeps or sum(stay.seconds or math.inf for _, _, stay in rows) > _PAUSES:
+        return False
+    if any(is_for_an_answer(code, call) and not _fills_its_period(system, call, stay) for _, call, stay in rows):
+        return len({call.function for _, call, _ in rows}) == 1
+    return all(call.context.role == Role.TIMER and is_for_what_has_not_arrived(code, call) for _, call, _ in rows)
 
 
 __all__ = ["are_brief"]
