@@ -247,6 +247,14 @@ def test_a_list_of_several_types(findings, gains, types, help):
     assert told.message == f"the list 'gains' has items of the types {types}: 'talker' stops when it reads this file"
 
 
+def test_the_other_lists_of_a_file_are_related(findings):
+    lists = SECTION.format("[1.0, 2]") + "    limits: [1.0, 2.0]\n    steps: [1, 2.5]\n"
+    (told,) = findings("PRM009", LOAD_IT, **{"config/p.yaml": lists})
+    assert [(row.place.line, row.message) for row in told.related][1:] == [
+        (6, "'steps' has items of several types, too")
+    ]
+
+
 @pytest.mark.parametrize("gains", ["[1.0, 2.0]", "[1, 2]", "['1', left]", "[true, false]", "[1e3, 2.0]", "[]"])
 def test_a_list_of_one_type(findings, gains):
     assert findings("PRM009", LOAD_IT, **{"config/p.yaml": SECTION.format(gains)}) == []

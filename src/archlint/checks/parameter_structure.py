@@ -132,7 +132,10 @@ def _mixed(row: MixedList) -> Finding:
         row.place,
         f"the list '{row.name}' has items of the types {listed(row.types)}: {whom} stops when it reads this file",
         help="write a decimal point in each number of it" if numbers else "give all items of it one type",
-        related=(Related(row.given, "this file is given to it here"),),
+        related=(
+            Related(row.given, "this file is given to it here"),
+            *(Related(place, f"'{name}' has items of several types, too") for name, place in row.others),
+        ),
         identity=(row.file, "mixed", row.name),
     )
 

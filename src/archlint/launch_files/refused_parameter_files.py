@@ -61,6 +61,8 @@ class MixedList:
     place: Place
     user: str | None
     given: Place
+    others: tuple[tuple[str, Place], ...] = ()
+    """The other lists of the file that are so, too: each has to be mended."""
 
 
 _TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
@@ -79,11 +81,11 @@ class NoValue:
 def mixed_lists(system: System) -> Iterator[MixedList]:
     """The first such list of each file that is given to a process as it is: rcl refuses all of the file."""
     for file, user, given, facts in _given_files(system):
-        for entry in (entry for section in facts.sections for entry in section.entries):
-            types = _types_of(entry.value)
-            if len(types) > 1:
-                yield MixedList(file, entry.name, types, Place(file, *entry.span), user, given)
-                break
+        entries = (entry for section in facts.sections for entry in section.entries)
+        mixed = [entry for entry in entries if len(_types_of(entry.value)) > 1]
+        if mixed:
+            (name, place), *others = [(entry.name, Place(file, *entry.span)) for entry in mixed]
+            yield MixedList(file, name, _types_of(mixed[0].value), place, user, given, tuple(others))
 
 
 @dataclass(frozen=True)
