@@ -10,10 +10,12 @@ from archlint.checks.folding import folds, with_other_places, with_others
 from archlint.checks.launch_arguments import told_as_left_out
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.texts_as_yaml import text_as_yaml
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch_files.argument_defaults import has_another_default
 from archlint.launch_files.foreign_launch_files import ForeignLaunchFile, foreign_launch_files
 from archlint.launch_files.launch_descriptions import misnamed_functions, wrong_descriptions
+from archlint.launch_files.texts_as_yaml import texts_as_yaml
 from archlint.launch_files.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.python_code.how_imported import import_of
 from archlint.python_code.undefined_beside import undefined_beside
@@ -72,6 +74,7 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None and system.workspace is not None:
         for file, wrong in misnamed_functions(system.workspace):
             yield _of_description(file, wrong)
+        yield from map(text_as_yaml, texts_as_yaml(system.workspace))
 
 
 def _undefined(system: System, place: Place, name: str) -> Finding:
