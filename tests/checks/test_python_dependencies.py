@@ -67,6 +67,8 @@ def test_a_key_that_not_each_ubuntu_has_a_package_for(judge: Judge, readme: str,
         ("from scipy.spatial import KDTree\nKDTree([])", "python3-scipy"),
         ("import cv2\ncv2.imread('')", "python3-opencv"),
         ("import paho.mqtt.client as mqtt\nmqtt.Client()", "python3-paho-mqtt"),
+        ("import casadi\ncasadi.SX.sym('x')", "casadi-pip"),
+        ("import speech_recognition\nspeech_recognition.Recognizer()", "python-speechrecognition-pip"),
         ("import ultralytics\nultralytics.YOLO()", "python3-ultralytics-pip"),
     ],
 )

@@ -15,12 +15,14 @@ _ALIASES: Mapping[str, str] = {
     "Jetson": "python-jetson-gpio-pip",
     "bluetooth": "python3-bluez",
     "bs4": "python3-bs4",
+    "casadi": "casadi-pip",
     "control": "python-control-pip",
     "cv2": "python3-opencv",
     "dateutil": "python3-dateutil",
     "grpc": "python3-grpcio",
     "paho": "python3-paho-mqtt",
     "skimage": "python3-skimage",
+    "speech_recognition": "python-speechrecognition-pip",
     "utm": "python3-utm",
 }
 """Modules whose key does not follow from their name."""
