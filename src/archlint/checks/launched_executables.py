@@ -5,9 +5,10 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from archlint.analysis.pinned import is_for_humble_or_newer
+from archlint.checks.executables_instead import advice_on, advice_on_launch_file, include_of, installed_by, stem_of
 from archlint.checks.folding import folds, with_places
 from archlint.checks.packages import is_ignored_by_cmake
 from archlint.checks.registry import Options, finding, rule
@@ -17,10 +18,8 @@ from archlint.launch.kinds import StartedKind
 from archlint.launch_files.shown_files import is_shown_only
 from archlint.launch_files.unadded_programs import unadded_programs
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
-from archlint.packaging.commented_out import commented_out_in
-from archlint.packaging.entry_points import is_empty, only_defines_node, starts_nothing
-from archlint.packaging.unbuilt_programs import unbuilt_source
-from archlint.ros.released_programs import launch_file_instead, programs_instead, programs_of
+from archlint.packaging.entry_points import only_defines_node
+from archlint.ros.released_programs import launch_file_instead, programs_instead
 from archlint.suggestions import did_you_mean, listed, nearest
 
 if TYPE_CHECKING:
@@ -68,9 +67,9 @@ def _of_program(system: System, workspace: WorkspaceIndex, options: Options, sta
     if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:
         return
     if entry is not None:
-        yield _unread_entry(started, name, entry, _installed(workspace, installs))
+        yield _unread_entry(started, name, entry, installed_by(workspace, installs))
         return
-    advice = _included(installs, started, name, workspace) or _instead(installs, name, workspace)
+    advice = advice_on_launch_file(installs, started, name, workspace) or advice_on(installs, name, workspace)
     told = finding(
         "LCH001",
         started.places.get("executable", started.place),
@@ -114,19 +113,9 @@ def _idle(workspace: WorkspaceIndex, started: Started, entry: Executable) -> Ite
         )
 
 
-def _installed(workspace: WorkspaceIndex, installs: Installs) -> dict[str, Executable]:
-    """The executables of a package without those of a setup.py that CMake does not read."""
-    package = workspace.packages.get(installs.package)
-    return {
-        name: executable
-        for name, executable in installs.executables.items()
-        if not is_ignored_by_cmake(package, executable)
-    }
-
-
 def _unread_entry(started: Started, name: str, entry: Executable, installed: dict[str, Executable]) -> Finding:
     """The finding for an executable that only a setup.py names, in a package that CMake builds."""
-    own = [other for other in sorted(installed) if _stem(installed[other]) == _stem(entry)]
+    own = [other for other in sorted(installed) if stem_of(installed[other]) == stem_of(entry)]
     instead = own[0] if len(own) == 1 else ""
     hint = f": {_NOT_READ}"
     hint += f"; {installed[instead].script or instead} is installed as '{instead}'" if instead else ""
@@ -213,7 +202,7 @@ def _from_no_package(system: System, workspace: WorkspaceIndex, started: Started
     if not is_nowhere(workspace, package):
         return
     near = nearest(
-        package, [own for own, installs in workspace.installs.items() if name in _installed(workspace, installs)]
+        package, [own for own, installs in workspace.installs.items() if name in installed_by(workspace, installs)]
     )
     near = near or _without_spaces(workspace, package) or package_that_installs(workspace, package, name, started.file)
     if near is not None:
@@ -300,104 +289,7 @@ def _launch_file(started: Started, package: str, name: str) -> Finding:
         "LCH001",
         started.places.get("executable", started.place),
         f"'{name}' is a launch file, and no program: package '{package}' installs no executable of that name",
-        help=f"include it instead: {_include(started)}",
+        help=f"include it instead: {include_of(started)}",
         identity=(package, name),
         group=(package, name),
     )
-
-
-def _include(started: Started) -> str:
-    return _INCLUDE.get(posixpath.splitext(started.file)[1], "include:")
-
-
-_INCLUDE = {".py": "IncludeLaunchDescription(…)", ".xml": '<include file="…"/>'}
-
-
-class _Advice(NamedTuple):
-    """What is said of an executable that is not there, beside that it is not."""
-
-    hint: str
-    help: str
-    is_left_out: bool = False
-    """Whether its file is there, so that one edit of a build file mends it together with others."""
-    is_on_purpose: bool = False
-
-
-def _included(installs: Installs, started: Started, name: str, workspace: WorkspaceIndex) -> _Advice | None:
-    """What is said of a launch file of the package that is started as if it were a program."""
-    files = [
-        file
-        for file in workspace.launch_files.all()
-        if posixpath.basename(file) == name and workspace.package_of(file) == installs.package
-    ]
-    if len(files) != 1:
-        return None
-    return _Advice(f": {files[0]} is a launch file, and no program", f"include it instead: {_include(started)}")
-
-
-def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> _Advice:
-    """What to start or to install instead of an executable that is not there: a hint and a line of help."""
-    installed = _installed(workspace, installs)
-    known = sorted(installed)
-    same = [executable for executable in known if _stem(installed[executable]) == name.removesuffix(".py")]
-    if not same:
-        same = [file for file in known if file.endswith(".py") and _stem(installed[file]) == name.removesuffix("_node")]
-    if len(same) == 1:
-        source = installed[same[0]]
-        return _Advice(f"; {source.script or source.module} is installed as '{same[0]}'", f"start '{same[0]}'")
-    if name in installs.too_deep:
-        where = installs.too_deep[name]
-        return _Advice(
-            f": it is installed as {where}",
-            "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)",
-        )
-    owners = [install.package for install in workspace.installs.values() if name in _installed(workspace, install)]
-    if len(owners) == 1:
-        return _Advice(f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'")
-    build = _build_file(installs, workspace)
-    files = workspace.code.files_of(installs.package)
-    there = [file for file in files if posixpath.basename(file) == name]
-    if len(there) == 1:
-        return _Advice(did_you_mean(name, known), f"install {there[0]} in {build}")
-    if file := commented_out_in(workspace, installs.build_files, name):
-        help = "remove the node, or take the marks of the comment away"
-        return _Advice(f": its lines in {file} are a comment", help, is_on_purpose=True)
-    stems = {name, name.removesuffix("_node")} - {_stem(executable) for executable in installed.values()}
-    meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
-    if len(meant) == 1 and is_empty(workspace, meant[0]):
-        return _Advice(
-            f"; {meant[0]} is empty", f"remove the node, or write its program there and install it in {build}"
-        )
-    if len(meant) == 1 and starts_nothing(workspace, meant[0]):
-        return _Advice(
-            f"; {meant[0]} is not installed and starts nothing", f"give it a main(), and install it in {build}"
-        )
-    if len(meant) == 1:  # nearer than another node of a similar name
-        help = f"install it in {build} under the name '{name}'"
-        return _Advice(f"; {meant[0]} exists but is not installed", help, is_left_out=True)
-    if unbuilt := unbuilt_source(workspace, installs, stems):
-        return _Advice(
-            f"; {unbuilt} exists, and no target compiles it", f"add a target for it to {build}, and install it"
-        )
-    if name in programs_of(installs.package):
-        return _Advice(
-            "; the package of ROS with that name does, and this one hides it",
-            "give this package a name of its own, so that launch finds that of ROS",
-        )
-    others = f", or start one that the package installs: {listed(known)}" if known else ""
-    return _Advice(did_you_mean(name, known), f"add it to {build}{others}")
-
-
-def _stem(executable: Executable) -> str:
-    """The file that an executable runs, by its name alone."""
-    if executable.script is not None:
-        return posixpath.basename(executable.script).removesuffix(".py")
-    return (executable.module or "").rpartition(".")[2]
-
-
-def _build_file(installs: Installs, workspace: WorkspaceIndex) -> str:
-    """The file in which a package names its executables."""
-    package = workspace.packages.get(installs.package)
-    wanted = "setup.py" if package is not None and package.build_type == "ament_python" else "CMakeLists.txt"
-    names = [posixpath.basename(file) for file in installs.build_files]
-    return wanted if wanted in names else names[0]

@@ -1,0 +1,130 @@
+"""What LCH001 says to start or to install in place of an executable that is not there."""
+
+from __future__ import annotations
+
+import posixpath
+from typing import TYPE_CHECKING, NamedTuple
+
+from archlint.checks.packages import is_ignored_by_cmake
+from archlint.packaging.commented_out import commented_out_in
+from archlint.packaging.entry_points import is_empty, starts_nothing
+from archlint.packaging.unbuilt_programs import unbuilt_source
+from archlint.ros.released_programs import programs_of
+from archlint.suggestions import did_you_mean, listed
+
+if TYPE_CHECKING:
+    from archlint.launch.started import Started
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import Executable, Installs
+
+
+class Advice(NamedTuple):
+    """What is said of an executable that is not there, beside that it is not."""
+
+    hint: str
+    help: str
+    is_left_out: bool = False
+    """Whether its file is there, so that one edit of a build file mends it together with others."""
+    is_on_purpose: bool = False
+
+
+def advice_on_launch_file(installs: Installs, started: Started, name: str, workspace: WorkspaceIndex) -> Advice | None:
+    """What is said of a launch file of the package that is started as if it were a program."""
+    files = [
+        file
+        for file in workspace.launch_files.all()
+        if posixpath.basename(file) == name and workspace.package_of(file) == installs.package
+    ]
+    if len(files) != 1:
+        return None
+    return Advice(f": {files[0]} is a launch file, and no program", f"include it instead: {include_of(started)}")
+
+
+def advice_on(installs: Installs, name: str, workspace: WorkspaceIndex) -> Advice:
+    """What to start or to install instead of an executable that is not there: a hint and a line of help."""
+    installed = installed_by(workspace, installs)
+    known = sorted(installed)
+    same = [executable for executable in known if stem_of(installed[executable]) == name.removesuffix(".py")]
+    if not same:
+        same = [
+            file for file in known if file.endswith(".py") and stem_of(installed[file]) == name.removesuffix("_node")
+        ]
+    if len(same) == 1:
+        source = installed[same[0]]
+        return Advice(f"; {source.script or source.module} is installed as '{same[0]}'", f"start '{same[0]}'")
+    if name in installs.too_deep:
+        where = installs.too_deep[name]
+        return Advice(
+            f": it is installed as {where}",
+            "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)",
+        )
+    owners = [install.package for install in workspace.installs.values() if name in installed_by(workspace, install)]
+    if len(owners) == 1:
+        return Advice(f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'")
+    build = _build_file(installs, workspace)
+    files = workspace.code.files_of(installs.package)
+    there = [file for file in files if posixpath.basename(file) == name]
+    if len(there) == 1:
+        return Advice(did_you_mean(name, known), f"install {there[0]} in {build}")
+    if file := commented_out_in(workspace, installs.build_files, name):
+        help = "remove the node, or take the marks of the comment away"
+        return Advice(f": its lines in {file} are a comment", help, is_on_purpose=True)
+    stems = {name, name.removesuffix("_node")} - {stem_of(executable) for executable in installed.values()}
+    meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
+    if len(meant) == 1 and is_empty(workspace, meant[0]):
+        return Advice(
+            f"; {meant[0]} is empty", f"remove the node, or write its program there and install it in {build}"
+        )
+    if len(meant) == 1 and starts_nothing(workspace, meant[0]):
+        return Advice(
+            f"; {meant[0]} is not installed and starts nothing", f"give it a main(), and install it in {build}"
+        )
+    if len(meant) == 1:  # nearer than another node of a similar name
+        help = f"install it in {build} under the name '{name}'"
+        return Advice(f"; {meant[0]} exists but is not installed", help, is_left_out=True)
+    if unbuilt := unbuilt_source(workspace, installs, stems):
+        return Advice(
+            f"; {unbuilt} exists, and no target compiles it", f"add a target for it to {build}, and install it"
+        )
+    if name in programs_of(installs.package):
+        return Advice(
+            "; the package of ROS with that name does, and this one hides it",
+            "give this package a name of its own, so that launch finds that of ROS",
+        )
+    others = f", or start one that the package installs: {listed(known)}" if known else ""
+    return Advice(did_you_mean(name, known), f"add it to {build}{others}")
+
+
+def stem_of(executable: Executable) -> str:
+    """The file that an executable runs, by its name alone."""
+    if executable.script is not None:
+        return posixpath.basename(executable.script).removesuffix(".py")
+    return (executable.module or "").rpartition(".")[2]
+
+
+def _build_file(installs: Installs, workspace: WorkspaceIndex) -> str:
+    """The file in which a package names its executables."""
+    package = workspace.packages.get(installs.package)
+    wanted = "setup.py" if package is not None and package.build_type == "ament_python" else "CMakeLists.txt"
+    names = [posixpath.basename(file) for file in installs.build_files]
+    return wanted if wanted in names else names[0]
+
+
+def installed_by(workspace: WorkspaceIndex, installs: Installs) -> dict[str, Executable]:
+    """The executables of a package without those of a setup.py that CMake does not read."""
+    package = workspace.packages.get(installs.package)
+    return {
+        name: executable
+        for name, executable in installs.executables.items()
+        if not is_ignored_by_cmake(package, executable)
+    }
+
+
+def include_of(started: Started) -> str:
+    return _INCLUDE.get(posixpath.splitext(started.file)[1], "include:")
+
+
+_INCLUDE = {".py": "IncludeLaunchDescription(…)", ".xml": '<include file="…"/>'}
+
+
+__all__ = ["Advice", "advice_on", "advice_on_launch_file", "include_of", "installed_by", "stem_of"]
