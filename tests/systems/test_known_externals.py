@@ -157,8 +157,9 @@ def test_what_spawns_a_model_listens_where_its_arguments_say(started, program: s
     assert node.is_stranger  # plug-ins of the simulator have ends of their own
 
 
-def test_what_spawns_a_model_of_a_file_listens_to_nothing(started):
-    [node] = started('<node pkg="ros_gz_sim" exec="create" args="-file robot.sdf -name topic"/>')
+@pytest.mark.parametrize("arguments", ['args="-file robot.sdf -name topic"', 'args="-topic"', ""])
+def test_what_spawns_a_model_of_a_file_listens_to_nothing(started, arguments: str):
+    [node] = started(f'<node pkg="ros_gz_sim" exec="create" {arguments}/>')
     assert list(node.endpoints) == []
 
 

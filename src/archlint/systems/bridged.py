@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.launch.bridges import FILE
@@ -38,8 +39,8 @@ def ends_of_arguments(started: Started) -> Iterator[ExternalEnd]:
     of what to spawn, or the images that are bridged."""
     program = (started.package.text, started.executable.text)
     if program in _SPAWNERS:
-        words = [word or "" for word in started.arguments]
-        for word, following in zip(words, [*words[1:], ""], strict=True):
+        words = [*(word or "" for word in started.arguments), ""]
+        for word, following in pairwise(words):
             match = _TOPIC.fullmatch(word)
             name = "" if match is None else match["name"] or following
             if name:
