@@ -70,3 +70,11 @@ def test_an_unknown_kind_is_either() -> None:
     before = f"typedef enum {NUMBERS} Kind;"
     made = published(before, 'make(static_cast<Kind>(std::rand()), "scan");')
     assert made == [("/scan", "std_msgs/msg/Bool"), ("/scan", "std_msgs/msg/String")]
+
+
+@pytest.mark.parametrize("include", ["robot_msgs/msg/Speed.msg", "robot_msgs/msg/speed", "robot_msgs/msg/speed.hpp"])
+def test_a_base_that_is_not_here_beside_an_include_of_any_file_of_a_message(include: str) -> None:
+    source = SOURCE.replace("public rclcpp::Node", "public Missing, public rclcpp::Node")
+    statement = 'create_publisher<std_msgs::msg::Bool>("on", 1);'
+    [node] = graph({"src/robot.cpp": source % (f"#include <{include}>", statement)})["nodes"]
+    assert [(end["name"], end["type"]) for end in node["publishers"]] == [("/on", "std_msgs/msg/Bool")]

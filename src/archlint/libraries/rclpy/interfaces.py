@@ -98,7 +98,7 @@ def star_sources(run: Run, packages: Sequence[str], name: str) -> Sequence[str]:
     Interface packages hold class names only, and the table of interfaces says which of them have this one; where none
     has it, it comes from another package.
     """
-    interfaces = [package for package in packages if package.endswith((".msg", ".srv", ".action"))]
+    interfaces = [package for package in packages if _has_interfaces(package)]
     if not interfaces or not name[:1].isupper() or run.interfaces is None:
         return interfaces if interfaces and name[:1].isupper() else list(packages)
     defines = run.interfaces.defines
@@ -106,6 +106,13 @@ def star_sources(run: Run, packages: Sequence[str], name: str) -> Sequence[str]:
     sure = [p for p in interfaces if verdicts[p]]
     perhaps = [p for p in interfaces if verdicts[p] is None]
     return sure or perhaps or [p for p in packages if p not in verdicts]
+
+
+def _has_interfaces(package: str) -> bool:
+    """Whether a package is the one of a kind of interfaces, ``std_msgs.msg``.  C++ may include
+    ``<std_msgs/msg/string.msg>`` by mistake."""
+    above, _, kind = package.rpartition(".")
+    return above.isidentifier() and kind in KIND_OF_SUFFIX
 
 
 def _imported_for_sure(run: Run) -> bool:
