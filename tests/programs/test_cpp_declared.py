@@ -198,3 +198,36 @@ def test_a_function_that_is_called_like_its_namespace() -> None:
     header = "namespace arm { std::string arm(int number); }"
     source = 'namespace arm { std::string arm(int number) { return number == 1 ? "first" : "other"; } }'
     assert names(header, source, publish("arm::arm(1)")) == ["/first"]
+
+
+CORE = """
+#include "robot/core.hpp"
+Core::Core() : Node("{name}") {{ create_publisher<std_msgs::msg::String>(topic(), 1); }}
+std::string Core::topic() {{ return "from_{name}"; }}
+int main(int argc, char ** argv) {{ rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Core>()); }}
+"""
+CORE_DECLARED = """
+#pragma once
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+class Core : public rclcpp::Node {
+public:
+  Core();
+private:
+  std::string topic();
+};
+"""
+
+
+def test_each_program_has_the_methods_that_its_own_file_defines() -> None:
+    sources = {f"src/{name}.cpp": CORE.format(name=name) for name in ("keys", "joy", "pad")}
+    build = "".join(f"add_executable({name} src/{name}.cpp)\n" for name in ("keys", "joy", "pad"))
+    build = f"{build}install(TARGETS keys joy pad DESTINATION lib/robot)\n"
+    files = {"include/robot/core.hpp": CORE_DECLARED, "CMakeLists.txt": build, **sources}
+    nodes = graph(files)["nodes"]
+    ends = sorted((node["name"], [end["name"] for end in node["publishers"]], node["executables"]) for node in nodes)
+    assert ends == [
+        ("/joy", ["/from_joy"], ["joy"]),
+        ("/keys", ["/from_keys"], ["keys"]),
+        ("/pad", ["/from_pad"], ["pad"]),
+    ]

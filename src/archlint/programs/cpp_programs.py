@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.interpreter.activation import Activation
+from archlint.interpreter.values import ClassValue, FunctionValue
 from archlint.programs.entry import EntryPoint
 from archlint.syntax import facts
 from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
+    from archlint.interpreter.modules import Module
+    from archlint.libraries.run import Run
     from archlint.workspace.installed import Executable, Installs
     from archlint.workspace.model import SourceFile
 
@@ -98,4 +102,27 @@ def _class_of(plugin: str) -> str:
     return plugin.rpartition("::")[2]
 
 
-__all__ = ["REGISTERS", "cpp_entry_points"]
+def use_own_methods(run: Run, module: Module) -> None:
+    """Let a program of C++ have the methods that its own file defines.
+
+    A header may declare one class for several programs, each of which defines the methods itself; which file was read
+    last says nothing then.
+    """
+    if module.file.kind != "cpp" or module.scope is None:
+        return
+    run.activations[-1] = Activation(module.name, module, module.scope, module.facts.body, run.store.depth)
+    block = [statement for statement in module.facts.body if _is_of_another_file(run, module, statement)]
+    run.execute(block)
+
+
+def _is_of_another_file(run: Run, module: Module, statement: facts.Stmt) -> bool:
+    """Whether a statement sets a method on a class that now has the one of another file."""
+    match statement:
+        case facts.Assign([facts.Attribute(facts.Name() as owner, method)], facts.Name(defined)) if "::" in defined:
+            cls = run.evaluate(owner)
+            known = run.store.get(cls.key, method) if isinstance(cls, ClassValue) else None
+            return isinstance(known, FunctionValue) and known.scope.module is not module
+    return False
+
+
+__all__ = ["REGISTERS", "cpp_entry_points", "use_own_methods"]

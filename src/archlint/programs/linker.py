@@ -28,6 +28,7 @@ from archlint.monitor import Monitor
 from archlint.programs.ahead import SHARES, WORTH_IT, independent_groups
 from archlint.programs.any_time import let_attributes_change
 from archlint.programs.budget import Budget, cut_short
+from archlint.programs.cpp_programs import use_own_methods
 from archlint.programs.earlier_imports import EarlierImports
 from archlint.programs.entry import Entry, EntryPoint
 from archlint.programs.followed import Followed
@@ -296,6 +297,7 @@ class Linker:
             if words is not None:
                 command_line.give_words(run, words)
             run.import_module(module)
+            use_own_methods(run, module)
             if entry.function is not None:
                 function = self._dotted(run, module, entry.function)
                 if function is not None and not _has_run_on_import(module, entry.function, function):
@@ -333,6 +335,7 @@ class Linker:
         run.program.executable = guard is not None
         with FollowedProgram(run, module, None if guard is None else Place(module.path, *guard.span)) as root:
             run.import_module(module)
+            use_own_methods(run, module)
             _run_block(run, module, guard)
             _make_escaped_class(run)
         return root.result()
