@@ -107,3 +107,73 @@ def test_a_loop_that_is_not_entered_while_ros_is_up(judge: Judge, test: str, ent
 
 def test_a_node_that_hangs_there_is_not_told_twice(judge: Judge):
     judge("EXE008", program(more=LISTENS))
+
+
+LISTENER = "TransformListener(self.buffer, self, spin_thread={thread})"
+
+
+@pytest.mark.parametrize(("thread", "here"), [("True", ""), ("self.threaded", ""), ("False", "  # here")])
+@pytest.mark.parametrize("last", ["pass", "rclpy.spin(robot)"])
+def test_a_listener_that_spins_the_node_in_its_thread(judge: Judge, thread: str, here: str, last: str):
+    source = program(more=LISTENER.format(thread=thread), here=here, last=last)
+    judge("EXE009", "from tf2_ros import TransformListener\n" + source)
+
+
+def test_a_listener_of_a_helper_that_spins_the_node(judge: Judge):
+    helper = """
+from tf2_ros import Buffer, TransformListener
+
+
+class Frames:
+    def __init__(self, node):
+        self.listener = TransformListener(Buffer(), node, spin_thread=True)
+"""
+    judge("EXE009", helper + program(more="self.frames = Frames(self)"))
+    judge("EXE008", helper + program(more="self.frames = Frames(self)" + "; " + LISTENS))
+
+
+KEYS = """
+import sys
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Keys(Node):
+    def __init__(self):
+        super().__init__('keys')
+        self.fast = False
+        self.create_subscription(String, 'ack', self.on_text, 10)
+
+    def on_text(self, message):
+        self.get_logger().info(message.data)
+
+    def run(self):
+        while rclpy.ok():
+            if self.fast:
+                {first}
+            elif sys.stdin.read(1) == 'f':
+                {then}
+
+
+def main():
+    rclpy.init()
+    node = Keys(){here}
+    node.run()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "then", "here"),
+    [
+        ("rclpy.spin_once(self)", "self.fast = True", ""),
+        ("pass", "self.fast = True", "  # here"),
+        ("rclpy.spin_once(self)", "pass", "  # here"),
+    ],
+)
+def test_a_spin_that_a_later_round_comes_to(judge: Judge, first: str, then: str, here: str):
+    judge("EXE008", KEYS.format(first=first, then=then, here=here))

@@ -246,7 +246,7 @@ def _spinner(call: ApiCall, program: Program, client: Creation | None = None) ->
     uses = program.executors_of(node)
     if any(use.in_thread for use in uses) or (uses and role == Role.THREAD):
         return _ANOTHER
-    if role == Role.THREAD or node.executor == ExecutorKind.UNKNOWN:
+    if role == Role.THREAD or node.executor == ExecutorKind.UNKNOWN or node.runs_elsewhere:
         return _UNKNOWN
     return _EXECUTOR if any(node not in use.spells for use in uses) else _NOBODY
 

@@ -17,6 +17,7 @@ from archlint.checks.registry import finding
 from archlint.execution.loop_tests import is_only_after_shutdown
 from archlint.execution.piling_rates import RATE_SLEEP
 from archlint.execution.spins import is_spin_call
+from archlint.execution.unfollowed_spins import may_be_spun_later
 from archlint.finding import Finding, Related
 from archlint.model import EntityKind, Role
 from archlint.model.given import Constant
@@ -59,6 +60,8 @@ def _endless(system: System) -> list[tuple[ApiCall, Sequence[ApiCall]]]:
         if any(loop is not None and is_only_after_shutdown(loop) for loop in loops):
             continue
         spins = [other for other in program.calls if is_spin_call(other) and _in_one_loop(other, call)]
+        if may_be_spun_later(system, program, call.creation.node):
+            continue
         if all(_misses_the_timer(spin, call) for spin in spins):
             endless.append((call, spins))
     return endless

@@ -16,6 +16,7 @@ from archlint.checks.scope import Scope
 from archlint.execution.called_by_hand import left_to_executor
 from archlint.execution.idle_nodes import SERVED, Idle, _all_is_seen, idle_of, started_nodes
 from archlint.execution.second_inits import initialises_again
+from archlint.execution.unfollowed_spins import may_be_spun_later
 from archlint.finding import Finding, Related
 from archlint.model import ExecutorKind
 
@@ -38,6 +39,7 @@ def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
         and (node.made_at or node.place) not in spun
         and _all_is_seen(program, node)
         and not _never_gets_there(system, program, node)
+        and not may_be_spun_later(system, program, node)
     )
 
 

@@ -254,7 +254,8 @@ class Blueprint:
     escapes: bool = False
     """True where code that is not in this workspace is given the node: that may spin it."""
     runs_elsewhere: bool = False
-    """True where code of a base class that is not in this workspace runs on the node: that may spin it."""
+    """True where code of a base class that is not in this workspace runs on the node, or a thread of tf2's listener
+    has it: these may spin it."""
     never_starting: Place | None = None
     """The thread that would spin it and is never started."""
     removed_at: Place | None = None

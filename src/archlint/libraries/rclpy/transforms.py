@@ -43,7 +43,9 @@ def static_transform_listener(run: Run, call: ApiUse) -> Value:
 
 def _listener(run: Run, call: ApiUse, topics: Sequence[tuple[str, str, str, DefaultQos]]) -> Value:
     creations = []
+    own_thread = call.get("spin_thread")
     for blueprint in nodes.given_nodes(run, call.get("node")):
+        blueprint.runs_elsewhere |= own_thread is not None and own_thread.truth(run) is not False
         for parameter, name, qos, default in topics:
             value = call.get(parameter)
             text = model.Text(name, "exact") if value is None else text_of_value(value, "no name is given")
