@@ -210,11 +210,8 @@ class CallLowering(MethodLowering):
         number = values[0].number
         if number is not None and of_type:
             convert = _OF_NUMBERS.get(PARAMETER_TYPES.get(of_type, ""))
-            return [
-                facts.Opaque("a number of another type", span)
-                if convert is None
-                else facts.Literal(convert(number), span)
-            ]
+            other = facts.Opaque("a number of another type", span)
+            return [other if convert is None else facts.Literal(convert(number), span)]
         match values[0]:
             case facts.Call(func=constructor, args=[]) if constructor.last_name in SEQUENCES:
                 return [facts.Sequence("list", [], span)]  # std::vector<std::string>()
