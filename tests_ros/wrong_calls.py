@@ -103,6 +103,8 @@ PIECES = {
     "Time for a stamp": "PoseStamped().header.stamp = node.get_clock().now()",
     "covariance of three numbers": "PoseWithCovariance().covariance = [0.0, 0.0, 0.0]",
     "text for a bool": "Trigger.Response().success = 'yes'",
+    "Parameter, value in place of the type": "rclpy.parameter.Parameter('gain', 2.0)",
+    "Parameter, value alone": "rclpy.parameter.Parameter('gain', value=2.0)",
     "destroy_timer with a publisher": "node.destroy_timer(node.create_publisher(String, 'a', 10))",
 }
 """By what is wrong."""

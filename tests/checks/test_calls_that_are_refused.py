@@ -22,6 +22,7 @@ from example_interfaces.action._fibonacci import Fibonacci_FeedbackMessage, Fibo
 from rclpy.action import ActionClient, ActionServer
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
 from std_msgs.msg import String
 from std_srvs.srv import Trigger, Trigger_Event
@@ -83,6 +84,9 @@ def main():
         ("rclpy.spin(Robot)", "'node' takes a node, not the class Robot"),
         ("rclpy.spin_until_future_complete(rclpy.task.Future(), timeout_sec=1.0)", "'future' is missing"),
         ("self.declare_parameter()", "'name' is missing"),
+        ("Parameter('gain', 2.0)", "'type_' takes a Parameter.Type, not the number 2.0"),
+        ("self.set_parameters([Parameter('frame', 'map')])", "'type_' takes a Parameter.Type, not the text 'map'"),
+        ("Parameter('names', ['a', 'b'])", "'type_' takes a Parameter.Type, not a list"),
         ("self.destroy_timer(self.tick)", "'entity' takes a timer, not the method tick"),
         ("self.destroy_publisher(self.create_client(Trigger, 'a'))", "'entity' takes a publisher, not a client"),
         ("self.destroy_subscription('a')", "'entity' takes a subscription, not the text 'a'"),
@@ -122,6 +126,7 @@ def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
         ("QoSProfile(depth=1, reliable=True)", "write reliability= instead of reliable="),
         ("QoSProfile(depth=1, durable=True)", "write durability= instead of durable="),
         ("QoSProfile(depth=1, latched=True)", "take out latched="),
+        ("Parameter('gain', 2.0)", "give the value by name, value=…: the type comes before it"),
     ],
 )
 def test_a_keyword_that_has_the_stem_of_another(judge: Judge, call: str, help: str):
@@ -170,6 +175,10 @@ def test_a_keyword_that_has_the_stem_of_another(judge: Judge, call: str, help: s
         "arguments = [String, 'a', 10]; self.create_publisher(*arguments)",
         "self.create_publisher(self.declare_parameter('type', 'a').value, 'a', 10)",
         "self.get_logger(); self.create_rate(1.0)",
+        "Parameter('gain', Parameter.Type.DOUBLE, 2.0)",
+        "Parameter('gain', value=2.0)",
+        "Parameter('gain', None, 2.0)",
+        "Parameter('gain', self.type_of_gain, 2.0)",
         "rclpy.get_global_executor().create_task(self.listen, 1)",
     ],
 )
@@ -255,7 +264,7 @@ def test_calls_of_a_file_that_are_wrong_in_the_same_way_are_one_finding(judge: J
         "create_publisher() fails: 'qos_profile' is missing; another call in this file fails in the same way"
     )
     assert finding.help == "write create_publisher(msg_type, topic, qos_profile)"
-    assert [related.place.line for related in finding.related] == [20]
+    assert [related.place.line for related in finding.related] == [21]
 
 
 MIXED = """

@@ -349,6 +349,8 @@ def _cure(name: str, call: RefusedCall) -> str:
     if call.misuse is Misuse.KIND:
         if call.api.startswith("threading.") and call.parameters == ("args",):
             return "put a comma behind it, which makes the tuple: args=(…,)"
+        if call.parameters == ("type_",):
+            return "give the value by name, value=…: the type comes before it"
         if call.parameters == ("executor",) and call.api.endswith("spin_until_future_complete"):
             return "give the timeout by name, timeout_sec=…: the executor comes before it"
         if call.given.startswith(_THE_ACTION) and name in _OF_ACTIONS:

@@ -9,10 +9,12 @@ from archlint.interpreter.values import (
     BoundMethod,
     Builtin,
     ClassValue,
+    DictValue,
     External,
     FunctionValue,
     Instance,
     Known,
+    ListValue,
     Unknown,
     Value,
 )
@@ -47,6 +49,7 @@ class Kind(Enum):
     TIMER = "a timer"
     ARGUMENTS = "a tuple of arguments"
     GROUP = "a callback group"
+    PARAMETER_TYPE = "a Parameter.Type"
 
 
 _INTERFACES = {
@@ -98,6 +101,8 @@ def kinds_of(api: Api) -> Mapping[str, Kind]:
         return {}
     if api.path in _DESTROYED:
         return {"entity": _DESTROYED[api.path]}
+    if api.path == "rclpy.parameter.Parameter":
+        return {"type_": Kind.PARAMETER_TYPE}
     kinds = {name: kind for name, kind in _BY_NAME.items() if name in api.params}
     if api.type is not None and api.kind is not None and not api.type_as_text:
         kinds[api.type] = _INTERFACES[api.kind]
@@ -260,6 +265,12 @@ def _is_no_group(value: Value, written: facts.Expr | None) -> bool:
 _PYTHON_TYPES = frozenset({"str", "int", "float", "bool", "bytes", "list", "dict", "tuple", "set"})
 """Classes of Python that students give where a message class is wanted: ``create_publisher(str, ...)``."""
 
+
+def _is_no_parameter_type(value: Value, written: facts.Expr | None) -> bool:
+    """Source: ``Parameter.__init__`` of rclpy/parameter.py, in all distributions."""
+    return _is_constant(value) or isinstance(value, (DictValue, ListValue))
+
+
 _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
     Kind.NAME: _is_no_text,
     Kind.PROFILE: _is_no_profile,
@@ -271,6 +282,7 @@ _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
     Kind.EXECUTOR: _is_no_node,
     Kind.ARGUMENTS: _is_no_tuple,
     Kind.GROUP: _is_no_group,
+    Kind.PARAMETER_TYPE: _is_no_parameter_type,
 }
 
 
@@ -322,16 +334,7 @@ def described(value: Value, written: facts.Expr | None) -> str:
         case Instance(cls=External(path=path)) if names.canonical(path) == PROFILE:
             return "a QoSProfile"
         case External(path=path):
-            interface, part = names.interface_and_section(names.canonical(path))
-            name = (interface or path.replace(".", "/")).rpartition("/")[2]
-            if (
-                interface
-                and not part
-                and interface.split("/")[1] == "action"
-                and not names.is_part_of_interface(interface)
-            ):
-                return f"the action {name}"
-            return f"the class {name}.{part}" if part else f"the class {name}"
+            return _class_in_words(path)
         case ClassValue(qualified=name):
             return f"the class {name}"
         case Builtin(name=name):
@@ -349,6 +352,8 @@ def described(value: Value, written: facts.Expr | None) -> str:
             return f"a {path.rpartition('.')[2].lower()}"
         case NodeValue():
             return "a node"
+        case ListValue(kind=("list" | "tuple") as kind):
+            return f"a {kind}"
         case Unknown(of_class="str"):
             return "a text"
         case Unknown(of_class="int" | "float"):
@@ -356,6 +361,15 @@ def described(value: Value, written: facts.Expr | None) -> str:
         case Instance(cls=ClassValue(qualified=name)):
             return f"an object of class {name}"
     return "something else"
+
+
+def _class_in_words(path: str) -> str:
+    interface, part = names.interface_and_section(names.canonical(path))
+    name = (interface or path.replace(".", "/")).rpartition("/")[2]
+    whole = interface is not None and not part and not names.is_part_of_interface(interface)
+    if interface is not None and whole and interface.split("/")[1] == "action":
+        return f"the action {name}"
+    return f"the class {name}.{part}" if part else f"the class {name}"
 
 
 __all__ = ["Kind", "described", "is_other", "kinds_of"]
