@@ -157,3 +157,19 @@ def test_what_a_comment_keeps_quiet(index: Index):
     workspace = index(**{"robot/talker.py": "import a  # archlint: ignore[PKG001, undeclared]\nimport b\n"})
     assert words_ignored_at(workspace, Place("robot/talker.py", 1, 1, 1, 9)) == ["PKG001", "undeclared"]
     assert words_ignored_at(workspace, Place("robot/talker.py", 2, 1, 2, 9)) == []
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "lines"),
+    [
+        ("config/a.yaml", "talker:\n  ros__parameters:\n    rate: 5\t# Hz\n", []),
+        ("config/a.yaml", "launch:\n- node: {pkg: robot, exec: talker}\t# of the arm\n", [2]),
+        ("launch/a.launch.yaml", "launch:\n- node: {pkg: robot, exec: talker}\t# of the arm\n", [2]),
+    ],
+)
+def test_a_parameter_file_is_not_read_as_launch_reads_it(index: Index, path: str, text: str, lines: list[int]):
+    """PyYAML refuses a tab before a comment, and rcl, for which a parameter file is, does not."""
+    files = index(**{path: text}).launch_files
+    assert not files.can_be_launched(path)
+    files.parameters(path)
+    assert [problem.line for problem in files.problems()] == lines

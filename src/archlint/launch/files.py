@@ -97,7 +97,11 @@ class LaunchFiles:
         if file.kind in LAUNCH_TEXT_KINDS:
             return True
         beside_launch_files = file.kind == "parameters" and "launch" in file.relative.split("/")[:-1]
-        return beside_launch_files and _YAML.search(self._tree.text(file.relative) or "") is not None
+        return beside_launch_files and self._says_launch(file)
+
+    def _says_launch(self, file: SourceFile) -> bool:
+        """Whether a line of a YAML file is the key ``launch``."""
+        return _YAML.search(self._tree.text(file.relative) or "") is not None
 
     def of_tests(self) -> list[str]:
         """The launch files of test code, which are not among :meth:`all`."""
@@ -111,7 +115,10 @@ class LaunchFiles:
         file = self._by_path.get(path)
         if file is None:
             return False
-        return self.frontend(path).root is not None if self.is_frontend(path) else self._defines_launch(file)
+        if not self.is_frontend(path):
+            return self._defines_launch(file)
+        # A parameter file is never read as a launch file: what only launch refuses of its YAML is no error there.
+        return (file.kind != "parameters" or self._says_launch(file)) and self.frontend(path).root is not None
 
     def _defines_launch(self, file: SourceFile) -> bool:
         module_facts = self._facts_of(file)
