@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from robot_package import SETUP, TALKER, node
+from archlint.config.settings import Settings
+from archlint.engine.pipeline import Request, check
+from robot_package import CMAKE, SETUP, TALKER, TALKER_OF_CPP, node, write_files, write_robot
 
 LOAD_IT = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
 RATE = "{ros__parameters: {rate: 1.0}}"
@@ -274,3 +276,50 @@ MANAGER = f"""
 
 def test_the_controllers_that_a_manager_makes_are_no_spawners(findings):
     assert findings("PRM005", MANAGER, **{"config/p.yaml": CONTROLLERS}) == []
+
+
+PLANNER = """\
+#include "nav2_costmap_2d/costmap_2d_ros.hpp"
+#include "rclcpp/rclcpp.hpp"
+
+class Planner : public rclcpp::Node
+{
+public:
+  Planner() : Node("planner")
+  {
+    MADE;
+  }
+  std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_;
+};
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Planner>());
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("made", "key", "told"),
+    [
+        ('costmap_ = std::make_shared<nav2_costmap_2d::Costmap2DROS>(\n  "hall", "/", "hall")', "hall/hall", 0),
+        ('costmap_.reset(new nav2_costmap_2d::Costmap2DROS{"hall"})', "hall/hall", 0),
+        ('costmap_ = std::make_shared<nav2_costmap_2d::Costmap2DROS>("hall")', "yard/yard", 1),
+        ('// costmap_ = std::make_shared<nav2_costmap_2d::Costmap2DROS>("hall")', "hall/hall", 1),
+        ('costmap_ = nullptr; RCLCPP_INFO(get_logger(), "hall")', "hall/hall", 1),
+    ],
+)
+def test_the_costmap_that_a_node_of_the_workspace_makes(tmp_path, monkeypatch, made: str, key: str, told: int):
+    """It is a node of its own in the process that gets the file, whatever name the launch file gives."""
+    monkeypatch.chdir(tmp_path)
+    launch = f'<node pkg="planner" exec="talker" name="planner">{LOAD_IT}</node>'
+    write_robot(tmp_path / "robot", launch, **{"config/p.yaml": f"planner: {RATE}\n{key}: {RATE}\n"})
+    files = {
+        "CMakeLists.txt": TALKER_OF_CPP.replace("robot", "planner"),
+        "src/talker.cpp": PLANNER.replace("MADE", made),
+    }
+    manifest = CMAKE.replace("robot", "planner").replace("rclpy", "rclcpp")
+    write_files(tmp_path / "planner", {"package.xml": manifest} | files)
+    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    assert [row.identity[1] for row in rows if row.code == "PRM005"] == [f"/{key}"] * told

@@ -26,6 +26,17 @@ def names_cpp_node(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     return any("rclcpp" in text and node.search(text) is not None for text in texts)
 
 
+def makes_costmap(workspace: WorkspaceIndex, package: str, name: str) -> bool:
+    """Whether C++ of a package makes a costmap of Nav2 of that name: a node of its own in the process, whose namespace
+    and name no launch file changes, as ``Costmap2DROS`` gives itself arguments with them."""
+    installs = workspace.installs.get(package)
+    if installs is None:
+        return False
+    call = re.compile(rf'\bCostmap2DROS\b[^;"]*[({{]\s*"{re.escape(name)}"')
+    code = kept(workspace, (_code_below, installs.folder), lambda: _code_below(workspace, installs.folder))
+    return any(call.search(row) is not None for row in code)
+
+
 _STORED = re.compile(r"(\w+)\s*=\s*(?:this\s*->\s*|\w+(?:->|\.))?create_publisher\b")
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.cpp_nodes import names_cpp_node
+from archlint.analysis.cpp_nodes import makes_costmap, names_cpp_node
 from archlint.analysis.declared_parameters import followed
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
@@ -125,7 +125,7 @@ def _judged(
         return None
     if names_cpp_node(workspace, file, last) or _is_another_program(workspace, file, last, started):
         return None
-    if is_for_a_test(workspace, file, last):
+    if is_for_a_test(workspace, file, last) or _holds_costmap(workspace, file, last, started):
         return None
     near = nearest(key, [node.name for node in unmet if not node.other_name]) or _with_node(key, unmet, file)
     if not near and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
@@ -160,6 +160,12 @@ def _with_node(key: str, unmet: Sequence[_Loader], file: str) -> str:
 
 
 _NODE = "_node"
+
+
+def _holds_costmap(workspace: WorkspaceIndex, file: str, name: str, started: Sequence[_Loader]) -> bool:
+    """Whether a program of the workspace that gets a file makes a costmap of Nav2 of that name in its process."""
+    packages = {node.node.started.package.text for node in started if node.node.started and _loads(node, file)}
+    return any(package is not None and makes_costmap(workspace, package, name) for package in packages)
 
 
 def _loads(loader: _Loader, file: str) -> bool:
