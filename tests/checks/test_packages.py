@@ -353,8 +353,20 @@ LOOK = "import cv2\ncamera = cv2.VideoCapture(0)\nwhile True:\n    if cv2.waitKe
         "try:\n    while True:\n        pass\nexcept KeyboardInterrupt:\n    pass\n",
         "while True:\n    for key in 'ab':\n        print()\n    else:\n        break\n",
         "import os\nfor name in ('a', 'b'):\n    os.system(name)\n",
+        "import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.show()\n",
+        "import tkinter\nroot = tkinter.Tk()\nroot.mainloop()\n",
+        "import rclpy\nrclpy.init()\nrclpy.create_node('look').get_logger().info('here')\nrclpy.shutdown()\n",
     ],
-    ids=["a loop", "a spin", "a loop inside", "a loop that another one leaves", "a loop over what to start"],
+    ids=[
+        "a loop",
+        "a spin",
+        "a loop inside",
+        "a loop that another one leaves",
+        "a loop over what to start",
+        "a plot",
+        "a window",
+        "all from the start of rclpy to its end",
+    ],
 )
 def test_a_module_that_does_its_work_when_it_is_imported_fails_at_its_end(findings, text):
     (found,) = findings("PKG002", **{"robot/talker.py": text})
@@ -378,6 +390,19 @@ def test_a_module_that_does_its_work_when_it_is_imported_fails_at_its_end(findin
 )
 def test_a_module_that_serves_when_it_is_imported_does_start(findings, text: str, told: int):
     assert len(findings("PKG002", **{"robot/talker.py": text})) == told
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "import rclpy\nrclpy.init()\n",
+        "import matplotlib.pyplot as plt\ndef look():\n    plt.show()\n",
+        "from app import Look\nif __name__ == '__main__':\n    Look().mainloop()\n",
+    ],
+)
+def test_a_module_that_does_nothing_of_its_work_when_it_is_imported_cannot_start(findings, text):
+    (told,) = findings("PKG002", **{"robot/talker.py": text})
+    assert told.message.startswith("the executable 'talker' cannot start: ")
 
 
 DRIVER = "class Driver:\n    def init(self, webots_node, properties):\n        pass\n"

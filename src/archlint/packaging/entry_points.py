@@ -193,14 +193,30 @@ def _functions(file_facts: facts.Facts) -> tuple[str, ...] | None:
 
 
 def _works_on_import(file_facts: facts.Facts) -> bool:
-    """Whether importing a module runs a loop that calls something, or one that may go on, or spins a node."""
+    """Whether importing a module runs a loop that calls something, or one that may go on, spins a node, shows a window
+    until that is closed, or runs all from rclpy's start to its end."""
     guard = main_guard(file_facts)
     body = [statement for statement in file_facts.body if statement is not guard]
     if any(True for _ in statements_of(body, facts.While)):
         return True
     if any(True for loop in statements_of(body, facts.For) for _ in calls_in(loop.body)):
         return True
-    return any(called_name(call) == "spin" for call in calls_in(body))
+    calls = list(calls_in(body))
+    starts_and_ends = {_method_of(call, "rclpy") for call in calls} >= {"init", "shutdown"}
+    return starts_and_ends or any(called_name(call) == "spin" or _shows_window(call) for call in calls)
+
+
+def _method_of(call: facts.Call, *names: str) -> str | None:
+    """What a call asks of one of these names."""
+    match call.func:
+        case facts.Attribute(value=facts.Name(id=name), attr=method) if name in names:
+            return method
+    return None
+
+
+def _shows_window(call: facts.Call) -> bool:
+    """Whether a call returns when a window is closed: of pyplot, Tk or Qt."""
+    return _method_of(call, "plt", "pyplot") == "show" or called_name(call) in ("mainloop", "exec_")
 
 
 def _serves_on_import(file_facts: facts.Facts) -> bool:
