@@ -306,3 +306,55 @@ def test_a_variable_that_hides_a_class_of_the_file(judge: Judge, line: str):
     (told,) = judge("API005", source)
     assert told.message.startswith("'Talker' is a variable in this function and has no value yet")
     assert told.help == "give the variable another name: it hides the class Talker of this file"
+
+
+PHASES = """
+import math
+
+import rclpy
+
+first = second = False
+math.tau = 3
+
+
+def hear(scan):
+    if not first:  # here
+        first = scan > 3
+    if first and not second:
+        second = True
+    elif third:
+        third = False
+
+
+def look(scan):
+    global first, third
+    first, third = scan, None
+
+
+def count(scan):
+    if scan:
+        amount = 3
+    else:
+        print(amount)  # here
+
+
+def measure(scan):
+    global second
+    print(second)
+    second = scan
+"""
+
+
+def test_variables_of_the_file_that_a_function_does_not_declare_global(judge: Judge):
+    own, branch = judge("API005", PHASES)
+    assert own.help == "write `global first, second, third` at the beginning of hear()"
+    assert own.message == (
+        "'first' gets a value only later in this function: this line fails with an UnboundLocalError; 2 more variables "
+        "have none, either"
+    )
+    assert branch.help == "give amount a value in this branch, too"
+
+
+def test_the_first_read_of_a_call_is_told(judge: Judge):
+    (finding,) = judge("API005", _node("print(", "    value[0],  # here", "    value[1],", ")", "value = [1]"))
+    assert finding.help == "give value a value before"

@@ -335,6 +335,13 @@ def test_names_that_are_defined(judge: Judge, lines: tuple[str, ...]) -> None:
     judge("API005", _node(*lines) + "\n\ndef later():\n    print(shared)\n\n\nshared = 2\n")
 
 
+def test_a_function_of_ros_1_is_told_once(judge: Judge) -> None:
+    ported = "print(tf.transformations)\n        print(rospy.Time(0))  # here"
+    judge("API005", _node(ported))
+    helper = "\n\ndef helper():\n    print(tf.transformations)  # here\n"
+    judge("API005", _node("print(rospy.Time(0))  # here") + helper)
+
+
 @pytest.mark.parametrize(
     "start",
     [

@@ -13,7 +13,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import unless_uncalled
 from archlint.checks.unported import is_part_of_port, told_of_rospy
-from archlint.finding import Finding, Related, Severity
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.missing_imports import missing_imports
 from archlint.python_code.how_imported import defined_beside, idle_import_with, import_of, interface_meant
 from archlint.python_code.names_meant import exception_meant, first_use, node_class_meant
@@ -41,7 +41,11 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
         misspelt = {
             (row.place.file, row.near.partition(".")[0]) for row in missing_imports(system.workspace) if row.near
         }
-        for read in undefined_names(system.workspace):
+        names = list(undefined_names(system.workspace))
+        unported_functions = {_function_around(system.workspace, read) for read in names if read.name in _OF_ROS_1}
+        for read in names:
+            if read.name not in _OF_ROS_1 and _function_around(system.workspace, read) in unported_functions - {None}:
+                continue  # who ports the function to rclpy writes the rest anew, too
             if (read.place.file, read.name) in misspelt:
                 continue  # API006 tells the slip in the import of that name
             if stops_a_launch(system.workspace, read):
@@ -62,12 +66,18 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
                 told = replace(told, group=(read.place.file, leaders.setdefault((read.place.file, statement), leader)))
             yield from unless_uncalled(system, told)
         for local in unbound_locals(system.workspace):
-            told = _too_early(local) if local.caught is None else _past_handler(local)
+            told = _too_early(system.workspace, local) if local.caught is None else _past_handler(local)
             if told.group[-1] == _EARLY:  # a statement fails at the first of its names, which tells the rest
                 span = getattr(source_code(system).statement_at(local.place), "span", None)
                 leader = leaders.setdefault((local.place.file, (_EARLY, span)), local.name)
                 told = replace(told, group=(local.place.file, leader, _EARLY))
             yield from unless_uncalled(system, told)
+
+
+def _function_around(workspace: WorkspaceIndex, read: Undefined) -> Place | None:
+    """The function in which a name is read, by its place."""
+    function = code_of(workspace).function_at(read.place)
+    return None if function is None else Place.of(read.place.file, function.span)
 
 
 def _outside_of_classes(method: StrayMethod) -> Finding:
@@ -82,9 +92,25 @@ def _outside_of_classes(method: StrayMethod) -> Finding:
     )
 
 
-def _too_early(read: UnboundLocal) -> Finding:
+def _too_early(workspace: WorkspaceIndex, read: UnboundLocal) -> Finding:
     if read.hidden:
         return _hiding(read)
+    function = code_of(workspace).function_at(read.place) if read.of_file else None
+    if function is not None:
+        return replace(
+            _without_value(read),
+            help=_declare([read.name], function.name),
+            identity=(read.name, _EARLY, function.name),
+            group=(read.place.file, function.name, str(function.span[0]), _GLOBAL),
+        )
+    return _without_value(read)
+
+
+def _declare(names: Sequence[str], function: str) -> str:
+    return f"write `global {', '.join(names)}` at the beginning of {function}()"
+
+
+def _without_value(read: UnboundLocal) -> Finding:
     if read.own_assignment:
         return _in_own_assignment(read)
     elsewhere = (read.assigned.line, read.assigned.column) < (read.place.line, read.place.column)
@@ -151,6 +177,8 @@ _IMPORTS = "imports"
 """The group of findings about what a file has to import: all that it lacks there is one finding."""
 _EARLY = "early"
 """The group of findings about a variable of a function that is read before it has a value."""
+_GLOBAL = "global"
+"""The group of findings about variables of the file that one function assigns without declaring them ``global``."""
 PAST_HANDLER = "caught"
 """The group of findings about what one ``except`` leaves without a value."""
 
@@ -260,6 +288,8 @@ def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
     value after one ``except``."""
     if PAST_HANDLER in findings[0].group:
         return with_others(findings, "another variable has", "more variables have", "none, either")
+    if findings[0].group[-1] == _GLOBAL:
+        return _of_globals(findings)
     if _EARLY in findings[0].group and len({told.identity[0] for told in findings}) > 1:
         return with_others(findings, "another variable has", "more variables have", "none, either")
     if findings[0].group[-1] == _IMPORTS:
@@ -267,6 +297,13 @@ def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
     if _WITHOUT_SELF not in findings[0].group and len({told.identity[0] for told in findings}) > 1:
         return with_others(findings, "another name is", "more names are", "not defined, either")
     return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
+
+
+def _of_globals(findings: Sequence[Finding]) -> Finding:
+    """The first of the variables of the file that a function assigns as its own, with one cure for all."""
+    names = [told.identity[0] for told in findings]
+    whole = with_others(findings, "another variable has", "more variables have", "none, either")
+    return replace(whole, help=_declare(names, findings[0].identity[2]))
 
 
 def _of_imports(findings: Sequence[Finding]) -> Finding:

@@ -20,7 +20,7 @@ from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, Edge, Kind, reach, without_exceptions
 from archlint.syntax.flow_facts import covers
-from archlint.syntax.parts import Itself, everything_in, parts_of
+from archlint.syntax.parts import Itself, everything_in, parts_of, targets_in
 
 if TYPE_CHECKING:
     from archlint.syntax.flow_graph import Graph
@@ -55,6 +55,8 @@ class UnboundLocal:
     """What of the file has the same name, if it is a class or a function: nobody can mean it in this function."""
     own_assignment: bool = False
     """Whether the assignment that comes first reads it: ``first = first[0]``."""
+    of_file: bool = False
+    """Whether the file has a variable of that name, which the function does not declare ``global``."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,7 @@ class _Row:
     caught: facts.Span | None = None
     hidden: str = ""
     own_assignment: bool = False
+    of_file: bool = False
 
 
 def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
@@ -78,7 +81,8 @@ def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
             if caught is not None and _never_goes_on(workspace, Place(path, *row.span), caught):
                 continue
             assigned = Place(path, *row.assigned)
-            yield UnboundLocal(Place(path, *row.span), row.name, assigned, caught, row.hidden, row.own_assignment)
+            read = Place(path, *row.span)
+            yield UnboundLocal(read, row.name, assigned, caught, row.hidden, row.own_assignment, row.of_file)
 
 
 def _never_goes_on(workspace: WorkspaceIndex, read: Place, caught: Place) -> bool:
@@ -102,14 +106,24 @@ def _rows(code: facts.Facts) -> list[_Row]:
         return []
     known = None if stars(code) else own_names(code).union(dir(builtins))
     rows = [row for function in everything_in(code.body, facts.Function) for row in _in_function(function, known)]
-    hidden = _defined_in(code) if rows else {}
-    return [row if row.caught else replace(row, hidden=hidden.get(row.name, "")) for row in rows]
+    hidden, variables = (_defined_in(code), _variables_of(code)) if rows else ({}, frozenset())
+    return [
+        row if row.caught else replace(row, hidden=hidden.get(row.name, ""), of_file=row.name in variables)
+        for row in rows
+    ]
 
 
 def _defined_in(code: facts.Facts) -> dict[str, str]:
     """What the classes and functions of a file are, by their names."""
     classes = {part.name: "class" for part in code.body if isinstance(part, facts.Class)}
     return {part.name: "function" for part in code.body if isinstance(part, facts.Function)} | classes
+
+
+def _variables_of(code: facts.Facts) -> frozenset[str]:
+    """The variables that a file has: what it assigns outside of functions, or in one that declares it ``global``."""
+    declared = {name for part in everything_in(code.body, facts.Global) if part.kind == "global" for name in part.names}
+    targets = (target for part in parts_of(code.body, facts.Statement) for target in part.assigned)
+    return declared.union(name for target in targets for each in targets_in(target) if (name := each.variable))
 
 
 def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iterator[_Row]:
@@ -120,7 +134,7 @@ def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iter
     attempts = parts_of(function.body, facts.Try) if bound else ()
     expected = {part for attempt in attempts for part in _expected(attempt)}
     for block in graph.blocks if bound else ():
-        for part, surely in read_at(block):
+        for part, surely in sorted(read_at(block), key=lambda read: read[0].span):
             if isinstance(part, facts.Name) and part.id in bound and Itself(part) not in expected:
                 reads.setdefault(part.id, []).append((block, part, surely))
     for name, rows in reads.items():
