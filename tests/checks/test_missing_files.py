@@ -1072,3 +1072,21 @@ def test_what_the_description_of_a_robot_includes(findings, file, lines):
     assert [(finding.place.file, finding.place.line) for finding in told] == [
         ("config/arm.urdf.xacro", line) for line in lines
     ]
+
+
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        ("config/local.yaml\n", 0),
+        ("log/\n/config/local.yaml  \n", 0),
+        ("*.yaml\n", 1),
+        ("config/\n", 1),
+        ("# local.yaml\n", 1),
+        ("config/other.yaml\n", 1),
+        ("local.yaml\n!config/local.yaml\n", 1),
+    ],
+)
+def test_a_parameter_file_that_gitignore_names_is_of_each_machine(findings, lines: str, told: int):
+    launch = node('<param from="$(find-pkg-share robot)/config/local.yaml"/>')
+    files = {".gitignore": lines, "config/talker.yaml": "talker: {ros__parameters: {rate: 1.0}}\n"}
+    assert len(findings("LCH004", launch, **files)) == told

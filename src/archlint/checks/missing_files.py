@@ -33,7 +33,7 @@ from archlint.packaging.absent_packages import (
     package_meant,
     package_with,
 )
-from archlint.packaging.generated_files import has_template, is_generated, is_ignored
+from archlint.packaging.generated_files import has_template, is_generated, is_ignored, is_ignored_by_name
 from archlint.packaging.misplaced_folders import is_told_with_its_folder
 from archlint.suggestions import common_words, distance, have_same_words, listed, meant, nearest
 
@@ -151,17 +151,18 @@ def _need_not_be_here(system: System, reference: FileReference, shown: str) -> b
     """Whether a file that is not there is made by the build, or may be where the project is used."""
     package = reference.package or ""
     trained = shown.endswith(_TRAINED) and not _file_meant(system.workspace, package, shown)
-    own = reference.kind == FileKind.READ and _is_kept_out(system, reference, shown)
-    return trained or own or is_generated(system.workspace, package, shown)
+    return trained or _is_kept_out(system, reference, shown) or is_generated(system.workspace, package, shown)
 
 
 def _is_kept_out(system: System, reference: FileReference, shown: str) -> bool:
-    """Whether git ignores a file: everyone who launches has one of his own."""
+    """Whether git ignores a file that the launch file reads, or one of any kind by its name: everyone who launches has
+    one of his own."""
     installs = None if system.workspace is None else system.workspace.installs.get(reference.package or "")
     if system.workspace is None or installs is None:
         return False
-    path = _in_package(system, reference, shown)
-    return is_ignored(system.workspace, posixpath.normpath(posixpath.join(installs.folder, path)))
+    path = posixpath.normpath(posixpath.join(installs.folder, _in_package(system, reference, shown)))
+    ignores = is_ignored if reference.kind == FileKind.READ else is_ignored_by_name
+    return ignores(system.workspace, path)
 
 
 def _mixtures(references: Sequence[FileReference]) -> set[FileReference]:

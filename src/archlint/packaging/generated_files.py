@@ -65,6 +65,15 @@ def is_ignored(workspace: WorkspaceIndex, path: str, *, by_name: bool = False) -
     return any(_ignores(workspace, file) for file in (path, *inside))
 
 
+def is_ignored_by_name(workspace: WorkspaceIndex, path: str) -> bool:
+    """Whether a ``.gitignore`` names a missing file itself: everyone is to have one of his own."""
+    name = posixpath.basename(path)
+    texts = (workspace.tree.text(posixpath.join(folder, GITIGNORE)) or "" for folder in (*folders_above(path), ""))
+    lines = (line.strip() for text in texts for line in text.splitlines())
+    is_named = any(posixpath.basename(line) == name and not line.startswith("#") for line in lines)
+    return is_named and _ignores(workspace, path)
+
+
 def _ignores(workspace: WorkspaceIndex, path: str) -> bool:
     """Whether git ignores a file, or a folder around it."""
     top = "/"  # shown paths may begin with '..'; here all folders are below one
