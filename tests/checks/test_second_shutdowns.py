@@ -48,6 +48,16 @@ CAUGHT = (*SPIN, "except KeyboardInterrupt:", "    pass")
         ("try:", "    while rclpy.ok():", "        executor.spin_once()", *CAUGHT[2:], "rclpy.shutdown()  # here"),
         (*CAUGHT, "if rclpy.ok():", "    node.commands.publish(Twist())", "rclpy.shutdown()  # here"),
         (*CAUGHT, "node.stop_motors()", "rclpy.shutdown()  # here"),
+        (
+            "def rest():",
+            "    print('rests')",
+            "def stop():",
+            "    rest()",
+            *CAUGHT,
+            "stop()",
+            "rclpy.shutdown()  # here",
+        ),
+        ("class Arm(Node):", "    pass", *CAUGHT, "Arm.destroy_node(node)", "rclpy.shutdown()  # here"),
         ("if True:", *(f"    {line}" for line in CAUGHT), "    finally:", "        rclpy.shutdown()  # here"),
     ],
 )
@@ -80,6 +90,17 @@ def test_a_shutdown_that_ctrl_c_comes_to(judge: Judge, lines: tuple[str, ...]):
         # Another line fails before: the publisher's context is gone.
         (*CAUGHT, "finally:", "    node.commands.publish(Twist())", "    rclpy.shutdown()"),
         ("def stop():", "    node.commands.publish(Twist())", *CAUGHT, "stop()", "rclpy.shutdown()"),
+        (
+            "def drive(speed):",
+            "    node.commands.publish(speed)",
+            "def stop():",
+            "    drive(0)",
+            *CAUGHT,
+            "stop()",
+            "rclpy.shutdown()",
+        ),
+        # A method without the object that it is for.
+        ("class Arm(Node):", "    pass", *CAUGHT, "Arm.destroy_node()", "rclpy.shutdown()"),
     ],
 )
 def test_a_shutdown_that_is_the_first_or_no_error(judge: Judge, lines: tuple[str, ...]):

@@ -48,12 +48,21 @@ def _shutdowns(code: facts.Facts) -> list[facts.Span]:
         return []
     threads = targets_of_threads(code)
     functions = [*everything_in(code.body, facts.Function)]
-    failing = _FAILS | {function.name for function in functions if _asks_a_context(function.body, _FAILS)}
+    failing = _failing(functions) | {f"{part.name}.destroy_node()" for part in everything_in(code.body, facts.Class)}
     spans = [*_in_block(code.body, failing)]
     for function in functions:
         if function.name not in threads:
             spans += _in_block(function.body, failing)
     return [*dict.fromkeys(spans)]
+
+
+def _failing(functions: Sequence[facts.Function]) -> Set[str]:
+    """The names of what raises an error without a context: functions that call something which does so."""
+    failing, known = _FAILS, 0
+    while len(failing) > known:
+        known = len(failing)
+        failing = failing.union(each.name for each in functions if _asks_a_context(each.body, failing))
+    return failing
 
 
 def targets_of_threads(code: facts.Facts) -> frozenset[str]:
@@ -109,11 +118,16 @@ def _asks_a_context(block: Sequence[facts.Stmt], failing: Set[str]) -> bool:
         if asks_whether_it_runs(statement):
             continue
         calls = calls_in(statement) if not statement.blocks else ()
-        if any(call.func.last_name in failing for call in calls):
+        if any(call.func.last_name in failing or _without_object(call) in failing for call in calls):
             return True
         if any(_asks_a_context(inner, failing) for inner in statement.blocks):
             return True
     return False
+
+
+def _without_object(call: facts.Call) -> str:
+    """A call as it is written, if it has no arguments: ``Robot.destroy_node()`` lacks the object that it is for."""
+    return "" if call.args else f"{call.func.dotted}()"
 
 
 def asks_whether_it_runs(statement: facts.Stmt) -> bool:
