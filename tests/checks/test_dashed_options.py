@@ -99,6 +99,9 @@ def test_other_sections_that_setuptools_reads(findings, text):
     ("files", "told"),
     [
         ({"README.md": "For ROS 2 Foxy."}, 0),  # setuptools 45 of Ubuntu 20.04 takes dashes without a word
+        ({"README.md": "For ROS 2 Dashing."}, 0),
+        ({"README.md": "For ROS 2 Dashing, and since 2023 for Humble."}, 1),
+        ({"bin/start.sh": "source /opt/ros/eloquent/setup.bash\n"}, 0),
         ({"install/setup.sh": 'COLCON_CURRENT_PREFIX="/opt/ros/foxy"\n'}, 0),
         ({"README.md": "Now for Humble.", "install/setup.sh": 'COLCON_CURRENT_PREFIX="/opt/ros/foxy"\n'}, 1),
         ({"install/setup.sh": 'COLCON_CURRENT_PREFIX="/opt/ros/humble"\n'}, 1),
