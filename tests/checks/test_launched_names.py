@@ -411,3 +411,27 @@ def generate_launch_description():
     files = {"robot/talker.py": "from rclpy.parameter import Parameter\n" + talker, "launch/all.launch.py": launch}
     messages = [finding.message for finding in findings("NME002", **files)]
     assert [message.split("'")[1] for message in messages] == told
+
+
+@pytest.mark.parametrize(("default", "told"), [("", 0), (", ''", 1), (", 'camera/image'", 0)])
+def test_a_name_of_a_file_that_is_not_here_is_not_empty_where_the_file_has_none(findings, default: str, told: int):
+    """launch refuses the None that stands for it, and ROS never sees it."""
+    launch = f"""\
+import os
+import yaml
+from launch import LaunchDescription
+from launch.actions import OpaqueFunction
+from launch_ros.actions import Node
+
+def load(path):
+    with open(path) as file:
+        return yaml.safe_load(file) or {{}}
+
+def start(context):
+    topic = load(os.environ['CONFIG']).get('camera', {{}}).get('topic'{default})
+    return [Node(package='robot', executable='talker', remappings=[(topic, '/camera')])]
+
+def generate_launch_description():
+    return LaunchDescription([OpaqueFunction(function=start)])
+"""
+    assert len(findings("NME002", **{"launch/py.launch.py": launch})) == told

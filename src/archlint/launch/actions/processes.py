@@ -11,7 +11,18 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
-from archlint.interpreter.values import Holed, Instance, Known, ListValue, OneOf, Unknown, Value, alternatives, reason
+from archlint.interpreter.values import (
+    Holed,
+    Instance,
+    Known,
+    ListValue,
+    OneOf,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+    reason,
+)
 from archlint.launch.actions.branches import arms_of, each_alternative, verdict_on
 from archlint.launch.actions.domains import domain_of
 from archlint.launch.actions.included import launch_in_own_process
@@ -143,7 +154,15 @@ def _package(run: LaunchRun, value: Value | None) -> Text:
 
 
 def _remaps(run: LaunchRun, value: Value | None) -> list[Remap]:
-    return [remap(run.perform(pair.first), run.perform(pair.second), pair.place) for pair in pairs_of(run, value)]
+    return [remap(_side(run, pair.first), _side(run, pair.second), pair.place) for pair in pairs_of(run, value)]
+
+
+def _side(run: LaunchRun, value: Value) -> Value:
+    """The text on one side of a remapping.  A None among its values is none of it: launch refuses that, and gives ROS
+    no empty text for it."""
+    options = alternatives(value)
+    texts = [option for option in options if not (isinstance(option, Known) and option.value is None)]
+    return run.perform(value if len(texts) == len(options) else one_of(texts))
 
 
 def _words(run: LaunchRun, value: Value | None) -> tuple[list[str | None], bool]:
