@@ -206,6 +206,8 @@ def brought_by(name: str, workspace: WorkspaceIndex) -> set[str]:
 
 _OF_ROS2_LAUNCH = frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python"})
 """What is there wherever a launch file is launched."""
+_OF_DDS = "dds_"
+"""The module that idlc of Cyclone DDS makes of a message, ``robot_msgs.msg.dds_``: no package of ROS has it."""
 
 
 def _imported(workspace: WorkspaceIndex) -> Iterator[Use]:
@@ -220,7 +222,7 @@ def _imported(workspace: WorkspaceIndex) -> Iterator[Use]:
             continue
         of_launch = file.kind == "launch_python" or "/launch/" in f"/{file.relative}"
         needed = packages.package_of_module(statement.module, statement.names, has_module)
-        if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH):
+        if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH) or _OF_DDS in statement.module.split("."):
             continue
         if not workspace.code.is_local(file, statement.module):
             how: How = "imports" if statement.module.partition(".")[0] == needed else "imports a module of"
