@@ -242,6 +242,17 @@ def test_imports_that_may_fail_or_are_for_tests_need_no_dependency(lint: Lint):
     assert lint({**files, "package.xml": manifest("talk", *depends("rclpy"))}) == []
 
 
+@pytest.mark.parametrize(("module", "names"), [("arm_msgs.msg.dds_", []), ("arm_msgs.msg", ["arm_msgs"])])
+def test_what_idlc_makes_of_a_message_is_no_package(lint: Lint, module: str, names: list[str]):
+    files = {
+        "arm_msgs/package.xml": manifest("arm_msgs"),
+        "arm_msgs/msg/Speed.msg": "float64 speed\n",
+        "talk/package.xml": manifest("talk", *depends("rclpy")),
+        "talk/talk/node.py": node(f"from {module} import Speed_"),
+    }
+    assert missing(lint(files)) == names
+
+
 def test_a_package_of_the_workspace_is_meant_only_where_it_has_such_a_module(lint: Lint):
     files = {
         "serial/package.xml": manifest("serial"),  # C++; the import means a module of PyPI
@@ -741,6 +752,15 @@ def test_a_package_that_a_list_of_repositories_brings(lint: Lint, name):
     (found,) = lint(launching(started("secret_driver")) | {"all.repos": listed})
     assert found.message == "package 'talk' starts a node of 'secret_driver', which its package.xml does not declare"
     assert found.help == "add <exec_depend>secret_driver</exec_depend> to talk/package.xml"
+
+
+@pytest.mark.parametrize(
+    ("name", "is_known"), [("secret", True), ("drivers", False), ("sec", False), ("driver", False)]
+)
+def test_a_repository_may_bring_a_package_of_a_longer_name(lint: Lint, name: str, is_known: bool):
+    listed = f"repositories:\n  {name}:\n    type: git\n    url: https://example.org/it.git\n"
+    (told,) = lint(launching(started("secret_driver")) | {"all.repos": listed})
+    assert ("nor in rosdistro" not in told.message) is is_known
 
 
 def test_a_repository_that_is_here_brings_no_other_package(lint: Lint):

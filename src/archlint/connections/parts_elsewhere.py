@@ -84,8 +84,8 @@ def _folders_with_packages(workspace: WorkspaceIndex) -> frozenset[str]:
 
 def is_fetched(workspace: WorkspaceIndex, package: str) -> bool:
     """Whether a ``.repos`` file lists a repository with the name of a package, but for its underscores, that is not
-    here."""
-    return _plain(package) in _repositories(workspace)
+    here, or with what its name begins with: ``laser_board`` brings ``laser_board_msgs``."""
+    return any(_plain(name) in _repositories(workspace) for name in (package, *_beginnings(package)))
 
 
 def may_be_in_a_submodule(workspace: WorkspaceIndex, package: str) -> bool:
@@ -105,12 +105,17 @@ def may_be_in_a_submodule(workspace: WorkspaceIndex, package: str) -> bool:
 def _has_a_place(workspace: WorkspaceIndex, package: str) -> bool:
     """Whether there is nothing but a place for a package, or for what its name begins with, where packages lie:
     ``arm_x1`` for ``arm_x1_ros2``.  A ``.gitignore`` may name that place, for a repository in this one."""
-    names = [package[:at] for at, letter in enumerate(package) if letter == "_" and at > _SHORT]
-    names = [package, *(name for name in names if name not in _THEMES)]
+    names = [package, *_beginnings(package)]
     paths = [posixpath.normpath(posixpath.join(parent, name)) for parent in _parents(workspace) for name in names]
     if any(_is_empty_folder(workspace, path) or _is_link_of_git(workspace, path) for path in paths):
         return True
     return package in _ignored_folders(workspace)
+
+
+def _beginnings(package: str) -> list[str]:
+    """What a name begins with before each underscore, but for what is short or is only about a theme."""
+    names = (package[:at] for at, letter in enumerate(package) if letter == "_" and at > _SHORT)
+    return [name for name in names if name not in _THEMES]
 
 
 def _is_empty_folder(workspace: WorkspaceIndex, path: str) -> bool:
