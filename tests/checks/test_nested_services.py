@@ -715,3 +715,23 @@ class TestTheWayThere:
                 main()
             """,
         )
+
+
+FLAG = ["if {flag}:", "    return response", "try:", "    self.busy = True", *(f"    {line}" for line in CALL)]
+
+
+@pytest.mark.parametrize(
+    ("body", "many"),
+    [
+        (CALL, True),
+        ([line.format(flag="self.busy") for line in FLAG], False),
+        ([line.format(flag="self.idle") for line in FLAG], True),  # nothing sets that one
+        (["if self.busy:", "    print('busy')", "self.busy = True", *CALL], True),  # and it goes on
+    ],
+)
+def test_a_handler_that_refuses_a_second_request(judge: Judge, body: list[str], many: bool):
+    free = ", callback_group=self.free"
+    ends = ["finally:", "    self.busy = False"] if "try:" in body else []
+    (told,) = judge("SRV003", gripper([*body, *ends], THREADS, free, free))
+    assert ("simultaneous requests" in told.message) is many
+    assert many or told.message.endswith("its own caller waits, and one thread is blocked")

@@ -23,6 +23,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.service_cycles import Edge, waits_behind
 from archlint.checks.wait_words import to_await
 from archlint.execution.blocking import ONE
+from archlint.execution.busy_flags import returns_while_busy
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor, threads_of
 from archlint.execution.present_servers import is_looked_for
@@ -126,10 +127,11 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
         rival.call.place == call.place and rival.call.context.place != handler.place for rival in waits(system)
     )
     behind = waits_behind(system, wait) if verdict.safe else []
+    outcome = _outcome(system, wait, verdict, blocked, behind)
     diagnostic = finding(
         "SRV003",
         call.place,
-        f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict, blocked, behind)}",
+        f"the handler of {service} {_waits_for(wait, verdict, awaited)}{outcome}",
         help=_help(system, wait, verdict, blocked, behind, has_rivals),
         related=[
             Related(handler.place, f"{handler.name} handles {service}"),
@@ -280,13 +282,15 @@ def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
             yield Related(handler.place, f"{handler.name}, the handler of {service}, gets here too")
 
 
-def _outcome(wait: Wait, verdict: Verdict, blocked: Sequence[Callback], behind: Sequence[Edge]) -> str:
+def _outcome(system: System, wait: Wait, verdict: Verdict, blocked: Sequence[Callback], behind: Sequence[Edge]) -> str:
     if verdict.safe:
         if not wait.bounded and wait.kind != AWAIT:
             meanwhile = "has no time limit: if the response never comes, the handler never returns; until then "
         else:
             meanwhile = "" if wait.kind == AWAIT and not blocked else "meanwhile "
-        return f"{_second_level(behind)}, which works here ({verdict.why}), but {meanwhile}{_cost(wait, blocked)}"
+        return (
+            f"{_second_level(behind)}, which works here ({verdict.why}), but {meanwhile}{_cost(system, wait, blocked)}"
+        )
     if wait.kind == SPIN:
         return f", and {verdict.why}" + ("" if verdict.unknown else f": this {verdict.words}")
     if verdict.unknown:
@@ -302,20 +306,29 @@ def _second_level(behind: Sequence[Edge]) -> str:
     return f" (the handler of {behind[0].server.name} itself waits for {names[0]}{further})"
 
 
-def _cost(wait: Wait, blocked: Sequence[Callback]) -> str:
+def _cost(system: System, wait: Wait, blocked: Sequence[Callback]) -> str:
     """What a wait costs that ends well."""
-    handler = wait.call.context
     if blocked:
         of = "node" if _holds_all(wait) else "group"
         return f"its own caller waits, and the other callbacks of its {of} cannot run: {_names_of(blocked)}"
     if wait.kind == AWAIT:
         return "the await has no timeout: if the response never comes, the handler and its caller wait forever"
-    if handler.group is not None and handler.group.kind == GroupKind.REENTRANT:
+    if _may_take_all_threads(system, wait):
         return (
             "its own caller waits, and as many simultaneous requests as there are threads leave no thread to "
             "process a response"
         )
     return "its own caller waits, and one thread is blocked"
+
+
+def _may_take_all_threads(system: System, wait: Wait) -> bool:
+    """Whether requests that come together may leave no thread for a response: a spin processes it itself, and a handler
+    may refuse all but the first."""
+    handler = wait.call.context
+    if wait.kind == SPIN or handler.group is None or handler.group.kind != GroupKind.REENTRANT:
+        return False
+    function = source_code(system).definition(handler)
+    return function is None or not returns_while_busy(function.body)
 
 
 def _names_of(callbacks: Sequence[Callback]) -> str:

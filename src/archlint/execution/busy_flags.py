@@ -1,4 +1,5 @@
-"""Flags that callbacks set before their work and clear behind it: on one thread, none finds one that is set."""
+"""Flags that callbacks set before their work and clear behind it: on one thread, none finds one that is set, and on
+several, the second one returns at once."""
 
 from __future__ import annotations
 
@@ -36,4 +37,25 @@ def _is_taken_back(block: Sequence[facts.Stmt], attribute: str, wanted: bool) ->
     return left is None
 
 
-__all__ = ["waits_for_busy_flag"]
+def returns_while_busy(body: Sequence[facts.Stmt]) -> bool:
+    """Whether a callback returns at once while another run of it has set a flag: ``if self.busy: return response``,
+    and ``self.busy = True`` further down."""
+    for at, statement in enumerate(body):
+        match statement:
+            case facts.If(test=facts.Attribute(attr=flag), body=[*_, facts.Return()]):
+                if any(_sets(later, flag) for later in body[at + 1 :]):
+                    return True
+    return False
+
+
+def _sets(statement: facts.Stmt, flag: str) -> bool:
+    """Whether a statement is ``self.busy = True``, or the ``try`` or ``with`` that begins with it."""
+    match statement:
+        case facts.Assign(targets=[facts.Attribute(attr=attribute)], value=value):
+            return attribute == flag and value.truth is True
+        case facts.Try(body=[first, *_]) | facts.With(body=[first, *_]):
+            return _sets(first, flag)
+    return False
+
+
+__all__ = ["returns_while_busy", "waits_for_busy_flag"]
