@@ -242,6 +242,13 @@ def test_an_own_module_under_another_name(in_src, line: str, message: str, help:
     assert (finding.message, finding.help) == (message, help)
 
 
+def test_a_module_that_lies_outside_of_every_package(in_src) -> None:
+    folder = {"top/src/common/tools/lens.py": "FOCUS = 1\n", "top/src/common/tools/__init__.py": ""}
+    (finding,) = in_src("from common.tools.lens import FOCUS", **folder)
+    assert "its file lies outside of every ROS package" in finding.message
+    assert finding.help.startswith("move the module into a Python package")
+
+
 @pytest.fixture
 def in_src(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[Finding]]:
     """The same for a package in a folder of the source that has its own name."""

@@ -33,6 +33,9 @@ def _finding(missing: MissingImport, package: str) -> Finding:
     elif missing.by_launch:
         message = f"'{module}' is not found: launch loads this file by its path, and its folder is not on Python's path"
         help = "move the module into the Python package of the workspace, and import it from there"
+    elif missing.outside:
+        message = f"'{module}' is not found: its file lies outside of every ROS package, so that no build installs it"
+        help = "move the module into a Python package that a setup.py installs, and import it from there"
     elif missing.present:
         top = module.partition(".")[0]
         own = "." not in module or top == missing.present.partition(".")[0]
@@ -49,7 +52,7 @@ def _finding(missing: MissingImport, package: str) -> Finding:
         message = f"there is no module {module}: the import fails{meant(missing.near)}"
         help = f"import {missing.near}" if missing.near else "correct the name, or add the file"
         help = f"write `from {missing.near} import {', '.join(missing.names)}`" if missing.names else help
-    kind = "beside" if missing.beside else "present" if missing.present else ""
+    kind = "beside" if missing.beside else "present" if missing.present else "outside" if missing.outside else ""
     kind = f"interfaces of {module}" if missing.interfaces else kind
     top = module.partition(".")[0]
     if missing.near.partition(".")[0] not in ("", top):

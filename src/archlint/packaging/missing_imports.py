@@ -57,6 +57,8 @@ class MissingImport:
     """The folder of that module, where it is no package that ``find_packages()`` would install."""
     present: str = ""
     """What the module is called now that its package has another name."""
+    outside: bool = False
+    """Whether the module lies outside of every package, so that no build installs it under any name."""
     interfaces: str = ""
     """The module that has the ``name``, an interface, where it is imported from the package itself."""
     by_launch: bool = False
@@ -118,7 +120,9 @@ def _nowhere(
     if present is None and file.relative in _by_console_scripts(workspace):
         present = installed_name(workspace, file, module, names) or module_of_package(workspace, file, module, names)
     if present is not None:
-        return MissingImport(place, module, present=present)
+        path = workspace.code.file_of_import(file.relative, present)
+        outside = path is not None and workspace.package_of(path) is None
+        return MissingImport(place, module, present="" if outside else present, outside=outside)
     near = near_module(workspace, file, module)
     return MissingImport(place, module, near=near, names=tuple(names)) if near is not None else None
 
