@@ -31,9 +31,11 @@ def may_be_spun_later(system: System, program: Program, node: Blueprint) -> bool
 def _spins_of_later_rounds(code: facts.Facts) -> tuple[facts.Span, ...]:
     """Where a file spins in a branch of a loop whose test asks for something that is changed as the program runs."""
     changed = _changed_names(code)
+    loops: list[facts.While | facts.For] = [*everything_in(code.body, facts.While)]
+    loops += everything_in(code.body, facts.For)
     return tuple(
         call.span
-        for loop in (*everything_in(code.body, facts.While), *everything_in(code.body, facts.For))
+        for loop in loops
         for branch in everything_in(loop.body, facts.If)
         if not changed.isdisjoint(names_in(branch.test))
         for call in everything_in((*branch.body, *branch.orelse), facts.Call)

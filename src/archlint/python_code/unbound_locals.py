@@ -121,7 +121,8 @@ def _defined_in(code: facts.Facts) -> dict[str, str]:
 
 def _variables_of(code: facts.Facts) -> frozenset[str]:
     """The variables that a file has: what it assigns outside of functions, or in one that declares it ``global``."""
-    declared = {name for part in everything_in(code.body, facts.Global) if part.kind == "global" for name in part.names}
+    rows = (part for part in everything_in(code.body, facts.Global) if part.kind == "global")
+    declared = frozenset(name for part in rows for name in part.names)
     targets = (target for part in parts_of(code.body, facts.Statement) for target in part.assigned)
     return declared.union(name for target in targets for each in targets_in(target) if (name := each.variable))
 
@@ -134,9 +135,10 @@ def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iter
     attempts = parts_of(function.body, facts.Try) if bound else ()
     expected = {part for attempt in attempts for part in _expected(attempt)}
     for block in graph.blocks if bound else ():
-        for part, surely in sorted(read_at(block), key=lambda read: read[0].span):
-            if isinstance(part, facts.Name) and part.id in bound and Itself(part) not in expected:
-                reads.setdefault(part.id, []).append((block, part, surely))
+        names = ((part, surely) for part, surely in read_at(block) if isinstance(part, facts.Name))
+        for read, surely in sorted(names, key=lambda row: row[0].span):
+            if read.id in bound and Itself[facts.Base](read) not in expected:
+                reads.setdefault(read.id, []).append((block, read, surely))
     for name, rows in reads.items():
         blocks = [block for block, _ in bound[name]]
         first = bound[name][0][1]
