@@ -260,6 +260,16 @@ def test_a_program_from_elsewhere_that_gets_the_file_under_almost_the_name(findi
     assert findings("PRM005", camera, **{"config/p.yaml": f"right: {RATE}\n"}) == []
 
 
+@pytest.mark.parametrize(
+    ("key", "meant"), [("map_saver", []), ("map_servr", ["/map_server"]), ("map_server_node", ["/map_server"])]
+)
+def test_the_name_of_another_well_known_program_is_no_slip(findings, key: str, meant: list[str]):
+    """Nav2's own file has sections for more nodes than most robots start."""
+    server = f'<node pkg="nav2_map_server" exec="map_server" name="map_server">{LOAD_IT}</node>'
+    rows = findings("PRM005", server, **{"config/p.yaml": f"{key}: {RATE}\n"})
+    assert [row.meant for row in rows] == meant
+
+
 CONTROLLERS = f"""\
 left:
   controller_manager:

@@ -25,6 +25,7 @@ from archlint.launch_files.set_parameters import (
     systems_that_load,
 )
 from archlint.launch_files.unloaded_parameter_files import has_no_reader
+from archlint.ros.external_nodes import well_known
 from archlint.suggestions import listed, meant, nearest
 from archlint.systems.nodes import key_of
 from archlint.systems.overrides import key_matches
@@ -127,7 +128,10 @@ def _judged(
         return None
     if is_for_a_test(workspace, file, last) or _holds_costmap(workspace, file, last, started):
         return None
-    near = nearest(key, [node.name for node in unmet if not node.other_name]) or _with_node(key, unmet, file)
+    near = nearest(key, [node.name for node in unmet if not node.other_name])
+    if near and _are_of_two_programs(key, near):
+        near = ""
+    near = near or _with_node(key, unmet, file)
     if not near and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
         return None
     loaders = {node.name for node in started if _loads(node, file)}
@@ -136,6 +140,14 @@ def _judged(
         return _renamed(_finding(place, key, near, ""), renamed)
     help = f"nodes that load this file: {listed(sorted(loaders or {node.name for node in started}))}"
     return _finding(place, key, near, help)
+
+
+def _are_of_two_programs(key: str, other: str) -> bool:
+    """Whether well-known programs give their nodes both names: ``map_saver`` is no slip for ``map_server``, but what
+    is left of Nav2's own file."""
+    last, other_last = key.rpartition("/")[2], other.rpartition("/")[2]
+    names = {node.name for nodes in well_known().values() for node in nodes}
+    return last != other_last and {last, other_last} <= names
 
 
 def _own_name(loader: _Loader) -> str | None:
