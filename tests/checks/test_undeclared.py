@@ -542,6 +542,31 @@ def test_a_package_that_closes_several_circles_is_told_once(lint: Lint):
     assert [one.message for one in found.related] == ["'leg' is used here"]
 
 
+REMOVE = "remove find_package() of arm: nothing else in 'talk' uses it"
+SHARE = "move what both need into a separate package"
+
+
+@pytest.mark.parametrize(
+    ("lines", "code", "help"),
+    [
+        ("find_package(arm REQUIRED)  # of the arm", {}, REMOVE),
+        ("find_package(arm REQUIRED)", {"talk/scripts/say.py": "print('arm')\n"}, REMOVE),
+        ("find_package(arm REQUIRED)\nament_target_dependencies(speak arm)", {}, SHARE),
+        ("find_package(arm REQUIRED)", {"talk/src/say.cpp": '#include "arm/arm.hpp"\n'}, SHARE),
+        ("find_package(arm REQUIRED)", {"talk/scripts/say.py": "def say():\n    import arm\n"}, SHARE),
+    ],
+)
+def test_a_circle_that_a_needless_find_package_closes(lint: Lint, lines: str, code: dict[str, str], help: str):
+    talk = {f"talk/{name}": text.replace("robot", "talk") for name, text in built(lines).items()}
+    arm = {
+        "arm/package.xml": manifest("arm", *depends("rclpy", "talk")),
+        "arm/arm/__init__.py": "",
+        "arm/arm/a.py": node("from talk.msg import Word\nprint(Word)"),
+    }
+    (told,) = lint({**talk, **arm, **code}, code="PKG003")
+    assert told.help == help
+
+
 def shared(*users: str) -> dict[str, str]:
     """Packages that import the names of topics from the one that starts their nodes."""
     files = {

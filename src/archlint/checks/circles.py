@@ -18,7 +18,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.avoided_circles import is_left_out_for_a_circle
 from archlint.packaging.copies import are_copies
-from archlint.packaging.idle_dependencies import is_named_by_no_file
+from archlint.packaging.idle_dependencies import is_named_by_no_file, is_only_asked_for
 from archlint.packaging.missing_imports import missing_imports
 from archlint.suggestions import listed
 from archlint.workspace.manifest import condition_verdict
@@ -129,7 +129,7 @@ def _undeclared(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> F
     here = needs[package][other]
     copies = _copies(workspace, steps, needs)
     idle = _idle_step(workspace, others, needs)
-    advice = f"remove {copies[0]}: it is a copy of this file" if copies else _cure(workspace, package, [here], other)
+    advice = f"remove {copies[0]}: it is a copy of this file" if copies else _cure(workspace, package, {other: here})
     return finding(
         "PKG003",
         here,
@@ -181,22 +181,25 @@ def _of_one_package(workspace: WorkspaceIndex, circles: list[list[Step]], needs:
         uses[0],
         f"'{package}' uses {len(uses)} packages that depend on it, without declaring them: "
         f"{listed(sorted([first, *others]))}",
-        help=_cure(workspace, package, uses, ""),
+        help=_cure(workspace, package, dict(zip([first, *others], uses, strict=True))),
         related=[Related(place, f"'{other}' is used here") for other, place in zip(others, uses[1:], strict=True)],
         identity=(package, "several"),
     )
 
 
-def _cure(workspace: WorkspaceIndex, package: str, uses: list[Place], other: str) -> str:
+def _cure(workspace: WorkspaceIndex, package: str, used: Mapping[str, Place]) -> str:
     """What to do about uses that a package does not declare: launch files need no home beside a library.  Those that
-    other packages include would only take the circle along."""
+    other packages include would only take the circle along.  What CMake only asks for needs no home at all."""
+    uses, (other, *more) = list(used.values()), used
+    if all(is_only_asked_for(workspace, package, name, place.file) for name, place in used.items()):
+        return f"remove find_package() of {listed([other, *more])}: nothing else in '{package}' uses it"
     if _are_of_launch(uses):
         bringup = f"move the launch files that use it into a package of their own, such as {package}_bringup"
         if not _are_included_elsewhere(workspace, package, {use.file for use in uses}):
             return bringup
         if any(include.place in uses for launched in workspace.launched for include in launched.included):
             return f"{bringup}, and with them those of other packages that include them"
-        there = f"a launch file of '{other}'" if other else "launch files of these packages"
+        there = f"a launch file of '{other}'" if not more else "launch files of these packages"
         return f"move what uses it from here to {there}: other packages include this file"
     return _SHARED
 

@@ -77,4 +77,24 @@ def is_named_by_no_file(workspace: WorkspaceIndex, package: str, name: str) -> b
     return not any(workspace.code.mentions(path, name) for path in texts)
 
 
-__all__ = ["is_idle", "is_named_by_no_file"]
+_OF_A_BUILD = (".action", ".c", ".cc", ".cpp", ".cxx", ".h", ".hpp", ".idl", ".msg", ".srv")
+
+
+def is_only_asked_for(workspace: WorkspaceIndex, package: str, name: str, file: str) -> bool:
+    """Whether a CMake file asks for another package with ``find_package`` and uses nothing of it: no other line there
+    has its name, nor has code that is built, and no file of Python imports it."""
+    asked = re.compile(rf"\s*find_package\s*\(\s*{re.escape(name)}\b[^()]*\)\s*")
+    folder = posixpath.dirname(workspace.packages[package].manifest.relative) or workspace.tree.top
+    lines = (line.partition("#")[0] for line in (workspace.tree.text(file) or "").splitlines())
+    naming = [line for line in lines if re.search(rf"\b{re.escape(name)}\b", line)]
+    if not naming or not all(map(asked.fullmatch, naming)):
+        return False
+    paths = [path for path in workspace.tree.files_below(folder) if workspace.code.mentions(path, name)]
+    imported = rf"^\s*(?:from|import)\s+{re.escape(name)}\b"
+    return not any(
+        path.endswith(_OF_A_BUILD) or (path.endswith(".py") and workspace.tree.lines_with(path, imported))
+        for path in paths
+    )
+
+
+__all__ = ["is_idle", "is_named_by_no_file", "is_only_asked_for"]
