@@ -126,7 +126,11 @@ def test_a_class_that_only_an_except_names(judge: Judge):
         ("Node", "rclpy.get_logger().info('slow')", "write self.get_logger()"),
         ("rclpy.node.Node", "now = rclpy.get_clock().now()", "write self.get_clock()"),
         ("Node", "rclpy.get_logger('it').info('')", "import rclpy.logging and write rclpy.logging.get_logger"),
-        ("object", "rclpy.get_logger().info('slow')", "import rclpy.logging and write rclpy.logging.get_logger"),
+        (
+            "object",
+            "rclpy.get_logger().info('slow')",
+            "import rclpy.logging and write rclpy.logging.get_logger('robot'), with any name",
+        ),
     ],
 )
 def test_a_method_of_the_node_that_is_called_as_a_function(judge: Judge, base: str, call: str, help: str):

@@ -17,6 +17,8 @@ from archlint.suggestions import meant
 if TYPE_CHECKING:
     from archlint.systems.model import System
 
+_WANTS_A_NAME = frozenset({"rclpy.logging.get_logger"})
+"""Functions that have another one's name and fail without the argument that this does without."""
 OF_MODULE = "module"
 """The group of findings that are about one name of a module."""
 
@@ -94,6 +96,8 @@ def _cure(absent: Absent, module: str, name: str) -> str:
     """The line to write, if there is something else to write."""
     if absent.is_import and name:
         return f"write `from {module} import {name}`"
+    if absent.called_bare and f"{module}.{name}" in _WANTS_A_NAME:
+        name = f"{name}('robot'), with any name"
     if name:
         return f"write {module}.{name}" if module == absent.module else f"import {module} and write {module}.{name}"
     return f"write `import {module}`" if absent.is_module and absent.is_import else _failing(absent)

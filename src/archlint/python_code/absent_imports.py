@@ -37,6 +37,8 @@ class Absent:
     in_node: bool = False
     """Whether it is called without an argument in a method of a class whose base is called a node: ``self`` has what
     nodes have."""
+    called_bare: bool = False
+    """Whether it is called without an argument."""
     in_main: bool = False
     """Whether it runs only where the file is a program: behind ``if __name__ == '__main__':``."""
 
@@ -87,6 +89,7 @@ class _Code:
         self._caught = {Itself(part) for part in everything_in(caught)}
         self._never_run = {Itself(part) for hint in _unread_hints(file_facts) for part in everything_in([hint])}
         self._asked_of_nodes = {Itself(call.func) for call in _bare_calls_in_nodes(file_facts)}
+        self._called_bare = {Itself(call.func) for call in everything_in(file_facts.body, facts.Call) if not call.args}
         main = main_guard(file_facts)
         self._in_main = set() if main is None else {Itself(part) for part in everything_in(main.body)}
         self._bound: dict[str, set[str]] = {}
@@ -118,8 +121,8 @@ class _Code:
             if module and lacks(module, part.attr) and not left_out:
                 in_function, in_except = (Itself(part) in parts for parts in (self._in_functions, self._caught))
                 in_node = Itself(part) in self._asked_of_nodes
-                in_main = Itself(part) in self._in_main
-                yield Absent(module, part.attr, False, in_function, part.span, in_except, in_node, in_main)
+                bare, in_main = (Itself(part) in parts for parts in (self._called_bare, self._in_main))
+                yield Absent(module, part.attr, False, in_function, part.span, in_except, in_node, bare, in_main)
 
     def _module(self, path: str) -> str:
         """The module that a dotted name means; empty where it is none, or perhaps something else."""
