@@ -220,7 +220,8 @@ main()
         ("if self.may_go:  # here", "write self.may_go(…)"),
         ("if self.client.service_is_ready:  # here", "write self.client.service_is_ready()"),
         ("while not self.client.wait_for_service:  # here", "write self.client.wait_for_service()"),
-        ("if asked.done:  # here", "write asked.done()"),
+        ("if asked.done:  # here", "go on in a done callback: asked.add_done_callback(…)"),
+        ("while not asked.done:  # here", "write asked.done()"),
         ("if self.future.done:  # here", "write self.future.done()"),
     ],
 )

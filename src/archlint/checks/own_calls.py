@@ -115,11 +115,14 @@ def _tested(test: TestedMethod) -> Finding:
             identity=(COMPARED, test.written),
             group=(test.place.file, COMPARED, name),
         )
+    cure = f"write {test.written}({'…' if test.takes_arguments else ''})"
+    if test.just_sent:  # no response is there as early as that
+        cure = f"go on in a done callback: {test.written.rpartition('.')[0]}.add_done_callback(…)"
     return finding(
         "API001",
         test.place,
         f"this condition does not call {name}(): the function itself is always true",
-        help=f"write {test.written}({'…' if test.takes_arguments else ''})",
+        help=cure,
         identity=(COMPARED, test.written),
         group=(test.place.file, COMPARED, test.written),
     )

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -18,7 +19,7 @@ from archlint.python_code.own_calls import method_meant
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.parts import Itself, everything_in, parts_of
-from archlint.syntax.walk import is_none
+from archlint.syntax.walk import blocks_of, is_none
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -42,6 +43,8 @@ class TestedMethod:
     """Whether it cannot be called without any."""
     called: bool = False
     """Whether it is called, and what it gives is always true."""
+    just_sent: bool = False
+    """Whether it asks for the response in the line after its request, when it cannot be there."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +54,7 @@ class _Row:
     cls: int | None = None
     """For a method of ``self``: its class, by its position in the file."""
     called: bool = False
+    just_sent: bool = False
 
 
 def tested_methods(workspace: WorkspaceIndex) -> Iterator[TestedMethod]:
@@ -67,7 +71,7 @@ def tested_methods(workspace: WorkspaceIndex) -> Iterator[TestedMethod]:
                 if meant is None:
                     continue
                 needed = any(param.default is None for param in meant.code.params[meant.bound :])
-            yield TestedMethod(row.written, Place(path, *row.span), needed, row.called)
+            yield TestedMethod(row.written, Place(path, *row.span), needed, row.called, row.just_sent)
 
 
 def _has_own(workspace: WorkspaceIndex, name: str) -> bool:
@@ -84,7 +88,7 @@ def _rows(code: facts.Facts) -> list[_Row]:
     if not {"setattr", "__dict__"}.isdisjoint(code.names):
         return []
     methods = _methods(code)
-    futures = _futures(code)
+    futures, early = _futures(code), _asked_at_once(code)
     rows = []
     for part in everything_in(code.body):
         for test in _tested(part):
@@ -94,7 +98,7 @@ def _rows(code: facts.Facts) -> list[_Row]:
                 case facts.Attribute(value=owner, attr=name) if test.dotted:
                     of_future = name in _OF_FUTURES and Itself[facts.Base](test) in futures
                     if imported_as(code, test.dotted) in _FUNCTIONS or name in _OF_CLIENTS or of_future:
-                        rows.append(_Row(test.dotted, test.span))
+                        rows.append(_Row(test.dotted, test.span, just_sent=(Itself(part), owner.dotted) in early))
                     elif (
                         owner.variable == "self"
                         and Itself[facts.Base](test) in methods
@@ -151,6 +155,18 @@ def _futures(code: facts.Facts) -> frozenset[Itself[facts.Base]]:
             if name and given[name] and given[name] == times[name]:
                 rows.add(Itself(part))
     return frozenset(rows)
+
+
+def _asked_at_once(code: facts.Facts) -> set[tuple[Itself[facts.Base], str]]:
+    """The branches that stand right behind a request, with what holds its future."""
+    functions = everything_in(code.body, facts.Function)
+    pairs = (pair for function in functions for block in blocks_of(function.body) for pair in pairwise(block))
+    return {
+        (Itself[facts.Base](branch), target.dotted)
+        for sent, branch in pairs
+        if isinstance(branch, facts.If) and isinstance(sent, facts.Assign) and _gives_future(sent.value)
+        for target in sent.targets
+    }
 
 
 def _gives_future(value: facts.Expr) -> bool:
