@@ -201,6 +201,20 @@ def test_findings_are_in_the_order_of_their_places(workspace: Workspace):
     assert places == sorted(places)
 
 
+def test_dataclasses_are_quick_to_make():
+    """All but what users of the API, rules and renderers share, which refuses to be changed, and the recorder, which is
+    printed."""
+    source = ROOT / "src" / "archlint"
+    others = {"records.py", "observed/recorder.py", "systems/model.py", "systems/nodes.py"}
+    slow = [
+        path.relative_to(source).as_posix()
+        for path in sorted(source.rglob("*.py"))
+        if path.relative_to(source).parts[0] != "api" and path.relative_to(source).as_posix() not in others
+        if re.search(r"^from dataclasses import (.*, )?dataclass\b", path.read_text(encoding="utf-8"), re.MULTILINE)
+    ]
+    assert slow == [], "import dataclass from archlint.records"
+
+
 def test_no_rule_reads_the_files_of_the_workspace():
     """A rule asks the ``WorkspaceIndex`` what it knows; the tree behind it is for launch and for analysis."""
     reads = [

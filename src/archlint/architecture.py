@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import Final, Literal
 
 from archlint.finding import Place
+from archlint.records import dataclass
 
 Globs = tuple[str, ...]
 

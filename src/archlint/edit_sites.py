@@ -5,9 +5,8 @@ The rule that finds something knows them; ``fixes/`` turns them into edits, wher
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from archlint.place import Place
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,10 @@ import re
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 
 from archlint.finding import Place
+from archlint.records import dataclass
 
 _ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
 

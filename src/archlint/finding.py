@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import IntEnum
 from typing import Literal
 
 from archlint.edit_sites import Sites
 from archlint.place import Place
+from archlint.records import dataclass
 
 __all__ = ["Edit", "Finding", "Fix", "Place", "Related", "Severity", "SeverityLabel"]
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
+
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

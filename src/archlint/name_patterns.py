@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import lru_cache
+
+from archlint.records import dataclass
 
 _Ends = frozenset[int]
 _Part = Callable[["_Match", int], _Ends]

@@ -9,12 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from contextvars import ContextVar
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Final, Literal
 
 from archlint.finding import Severity
+from archlint.records import dataclass
 from archlint.suggestions import distance, listed, meant, nearest
 
 ON: Final = "on"

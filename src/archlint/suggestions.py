@@ -6,9 +6,10 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import takewhile
+
+from archlint.records import dataclass
 
 MOST_COMPARED = 100_000
 """Pairs of names that one rule holds against each other to say what was meant: a file may have thousands of names that

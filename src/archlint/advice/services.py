@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from enum import Enum, auto
 from typing import TYPE_CHECKING
 
@@ -24,6 +23,7 @@ from archlint.dataflow.pace import sending_interval
 from archlint.dataflow.runs import REQUESTS
 from archlint.execution.polling import sends_the_same
 from archlint.execution.request_paces import pace_of_request
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow, Link, Step

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.advice.model import Evidence, Judged, Use, unknown
@@ -12,6 +11,7 @@ from archlint.dataflow.model import How, StepKind
 from archlint.dataflow.pace import sending_interval
 from archlint.dataflow.runs import SCRIPT
 from archlint.model import Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow, Link, Step

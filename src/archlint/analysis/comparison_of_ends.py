@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from archlint import model as program
 from archlint.analysis.coexistence import certain, named_by_library
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference, Observed, SeenEnd, SeenNode
+from archlint.records import dataclass
 from archlint.ros.names import is_hidden, pattern_matches
 from archlint.systems.implicit import implicit_names
 

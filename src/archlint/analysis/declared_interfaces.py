@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import is_complete
 from archlint.model import EntityKind
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.ros import names
 from archlint.ros.interface_profiles import profile_of
 from archlint.ros.parameter_types import OF_PARAMETER_LIBRARY

@@ -6,11 +6,11 @@ Nobody knows the whole name, and it is the same for both: ``node->declare_parame
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.given_nodes import given_nodes
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, once_for, parts_of
 

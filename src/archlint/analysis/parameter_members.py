@@ -7,7 +7,6 @@ set; the others keep what a new message has.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from archlint.analysis.cpp_parameter_reads import wrong_accessors
@@ -15,6 +14,7 @@ from archlint.analysis.declared_parameters import declared_by
 from archlint.analysis.kept import once_for_each_file
 from archlint.model.given import Constant
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.workspace.kinds import is_cpp

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.analysis.reach import blueprints_of
 from archlint.model import given
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence, Set
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -14,6 +13,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import Callback, Creation, Role
 from archlint.python_code.annotations import AnnotatedMessage, annotated_messages
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Place

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.aside import is_not_installed
@@ -18,6 +18,7 @@ from archlint.packaging.imports import imports_at_start
 from archlint.packaging.interface_dependencies import not_handed, types_of_others
 from archlint.packaging.launch_dependencies import packages_of_files, packages_of_includes, runs_of_programs
 from archlint.packaging.manifests import package_around
+from archlint.records import dataclass
 from archlint.ros import packages
 from archlint.workspace.closure import closure
 from archlint.workspace.folders import folders_above

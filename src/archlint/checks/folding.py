@@ -7,11 +7,12 @@ the user suppresses or ignores at one place leaves the others; the rest becomes 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.edit_sites import Sites
 from archlint.finding import Finding, Related
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex

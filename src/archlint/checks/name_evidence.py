@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -22,6 +21,7 @@ from archlint.checks.name_reasons import (
     unlike_another,
 )
 from archlint.model import EntityKind
+from archlint.records import dataclass
 from archlint.ros.well_known import ABSOLUTE, BY_CLICK
 from archlint.systems.nodes import key_of
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from archlint.finding import Place, Severity
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.data_beside_modules import of_data_beside_modules
@@ -36,6 +36,7 @@ from archlint.packaging.uninstalled_files import (
     misnamed_markers,
     understood,
 )
+from archlint.records import dataclass
 from archlint.suggestions import listed, meant, nearest
 
 if TYPE_CHECKING:

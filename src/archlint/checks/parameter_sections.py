@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.cpp_nodes import makes_costmap, names_cpp_node
@@ -25,6 +25,7 @@ from archlint.launch_files.set_parameters import (
     systems_that_load,
 )
 from archlint.launch_files.unloaded_parameter_files import has_no_reader
+from archlint.records import dataclass
 from archlint.ros.external_nodes import well_known
 from archlint.suggestions import listed, meant, nearest
 from archlint.systems.nodes import key_of

@@ -14,7 +14,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fnmatch import fnmatchcase
 from functools import cache
 from types import MappingProxyType
@@ -27,6 +27,7 @@ from archlint.edit_sites import Sites
 from archlint.faults import Fault
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.project import issue_tracker
+from archlint.records import dataclass
 from archlint.rulebook import rules
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import astuple, dataclass, replace
+from dataclasses import astuple, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -18,6 +18,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch_files.chosen_names import program_is_chosen
 from archlint.model import EntityKind
+from archlint.records import dataclass
 from archlint.ros import names
 from archlint.ros.well_known import OF_EVERY_NODE, OF_TRANSFORMS
 from archlint.suggestions import did_you_mean, listed

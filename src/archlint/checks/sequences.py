@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
@@ -19,6 +19,7 @@ from archlint.execution.stuck import stuck_waits
 from archlint.execution.waits import Wait, waits
 from archlint.finding import Finding, Place, Related
 from archlint.model import EntityKind, Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation, Frame

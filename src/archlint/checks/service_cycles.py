@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -15,6 +14,7 @@ from archlint.checks.start_circles import start_circles
 from archlint.execution.waits import Wait, waits
 from archlint.finding import Finding, Related
 from archlint.model import SERVER_OF, EntityKind, Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

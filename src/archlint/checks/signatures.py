@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.pinned import named_distros
@@ -15,6 +15,7 @@ from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
 from archlint.python_code.given_to_libraries import may_get_more
 from archlint.python_code.signatures import Signature, annotations_are_texts, signature_of
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.model import Callback

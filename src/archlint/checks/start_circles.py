@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import endpoint_words
@@ -12,6 +11,7 @@ from archlint.checks.registry import finding
 from archlint.execution.start_waits import StartWait, start_waits
 from archlint.finding import Finding, Related
 from archlint.model import SERVER_OF, EntityKind
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.cli import console, exits
@@ -22,6 +22,7 @@ from archlint.cli.options import (
 )
 from archlint.cli.progress import Progress
 from archlint.cli.requests import request_of
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings

@@ -5,11 +5,12 @@ from __future__ import annotations
 import argparse
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint.cli.exits import UsageError
+from archlint.records import dataclass
 from archlint.report.model import recounted
 
 if TYPE_CHECKING:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.cli.exits import UsageError
 from archlint.engine.pipeline import check
 from archlint.fixes import apply as fixes
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.engine.pipeline import Request

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.cli.exits import UsageError
@@ -11,6 +11,7 @@ from archlint.disk import lies_in
 from archlint.engine.pipeline import check
 from archlint.fixes import apply as fixes
 from archlint.fixes.ignores import with_ignores
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.engine.pipeline import Request

@@ -8,8 +8,8 @@ and a line such as `` `launch/robot.launch.py`: `` in front of a block names its
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
+from archlint.records import dataclass
 from archlint.rulebook import Rule, without_marks
 
 _SECTION = re.compile(r"^## (.+)\n", re.MULTILINE)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint import report as reports
 from archlint.cli import console
 from archlint.engine.pipeline import NothingToDo, Request, graph
+from archlint.records import dataclass
 from archlint.report import statistics
 from archlint.report.fix_marks import fix_line
 from archlint.report.groups import most_important

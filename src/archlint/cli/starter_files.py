@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from archlint.records import dataclass
 
 BASELINE = "archlint-baseline.txt"
 ATTRIBUTES = f"{BASELINE} merge=union"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint.cli import console, exits
@@ -22,6 +22,7 @@ from archlint.cli.output_format import add_format, format_of
 from archlint.cli.progress import Progress
 from archlint.cli.requests import request_of
 from archlint.engine.answers import Answer
+from archlint.records import dataclass
 from archlint.suggestions import name_meant
 
 if TYPE_CHECKING:

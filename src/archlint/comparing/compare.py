@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from archlint.comparing.changes import Change, Spot, Status, in_order, risky, safe
 from archlint.comparing.ends import EndChanges, Ends
@@ -15,6 +15,7 @@ from archlint.comparing.pairing import paired_nodes
 from archlint.comparing.parameters import parameter_changes
 from archlint.comparing.renamed import topics_renamed
 from archlint.comparing.sketch import Sketch, sketch_of
+from archlint.records import dataclass
 
 _Class = tuple[str | None, str | None]
 """A package, and a class of it."""

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 from archlint.comparing import qos
 from archlint.comparing.changes import Change, Judgement, Spot, Status, Subject, breaking, risky, safe
 from archlint.comparing.graphs import KINDS, End, EndKind, Family, Graph, Node
 from archlint.comparing.pairing import Pairs, paired_ends
+from archlint.records import dataclass
 
 NOUNS: dict[EndKind, Subject] = {
     "publisher": "publisher",

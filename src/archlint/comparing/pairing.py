@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Generic, TypeVar
 
 from archlint.comparing.graphs import End, EndKind, Node
+from archlint.records import dataclass
 
 _Item = TypeVar("_Item")
 _Key = Callable[[_Item], Hashable | None]

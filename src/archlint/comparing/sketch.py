@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
 from archlint.comparing.changes import Change, Impact, Status
 from archlint.comparing.ends import Ends, Placed
 from archlint.comparing.graphs import KINDS, EndKind, Family, Graph
+from archlint.records import dataclass
 
 Mark = Literal["added", "removed", "changed", "same"]
 _MARKS: dict[Status, Mark] = {

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from archlint.architecture import CONNECTIONS, FORBID, INDEPENDENT, NUMBERS, POLICIES, QOS, REQUIRE, TYPES
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

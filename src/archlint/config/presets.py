@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from archlint.config.preset_names import PresetName
 from archlint.config.selection import ABOUT_THE_RUN, Layer
 from archlint.finding import Severity
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Finding

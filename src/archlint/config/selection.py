@@ -7,8 +7,8 @@ the more specific selector wins, so ``select = ["SRV003"]`` with ``ignore = ["SR
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from archlint.records import dataclass
 from archlint.rulebook import CLOSED_WORLD, ON, codes_of, rules
 
 ABOUT_THE_RUN = ("LNT002", "LNT003")

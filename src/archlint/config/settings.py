@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextvars import copy_context
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +18,7 @@ from archlint.config.presets import PRESETS
 from archlint.config.selection import Layer, Selection, resolve
 from archlint.config.source import ConfigurationError
 from archlint.globs import Glob
+from archlint.records import dataclass
 from archlint.ros.distros import DISTROS
 from archlint.syntax.signed import CACHE_FOLDER
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from archlint.config.toml_places import KeyPath, headers, locate
 from archlint.place import Place
+from archlint.records import dataclass
 
 Reader = Callable[[Path], bytes]
 """Gives the bytes of a configuration file; raises ``OSError``."""

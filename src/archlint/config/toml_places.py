@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import lru_cache
+
+from archlint.records import dataclass
 
 KeyPath = tuple[str, ...]
 TextSpan = tuple[int, int, int]

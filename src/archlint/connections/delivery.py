@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import (
@@ -18,6 +17,7 @@ from archlint.analysis.coexistence import (
 from archlint.analysis.kept import once
 from archlint.connections.own_types import is_defined
 from archlint.model import EntityKind
+from archlint.records import dataclass
 from archlint.ros.qos import Verdict, compatible
 
 if TYPE_CHECKING:

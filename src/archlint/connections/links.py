@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import in_source_order
 from archlint.architecture import ACTION, SERVICE, TOPIC, Contract, Globs, matches
 from archlint.branches import exclusive
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

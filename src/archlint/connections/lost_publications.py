@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import in_sight
@@ -14,6 +13,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.straight_after import LOGS, follows_at_once
 from archlint.finding import Place
 from archlint.model import EntityKind, Role
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.parts import everything_in, once_for

@@ -4,13 +4,13 @@ own one does not serve."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_disused
 from archlint.analysis.coexistence import certain
 from archlint.analysis.kept import once
 from archlint.model import EntityKind
+from archlint.records import dataclass
 from archlint.ros.flight_controllers import publisher_of
 from archlint.ros.qos import Verdict, compatible
 

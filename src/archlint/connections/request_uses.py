@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, coexist
@@ -15,6 +14,7 @@ from archlint.execution.request_paces import calls_in
 from archlint.execution.waits import waits
 from archlint.model import Role
 from archlint.model.given import Message
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.execution.request_paces import RequestPace

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.own_methods import Method, methods_reached
@@ -12,6 +11,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.connections.sharing import COMMANDS
 from archlint.finding import Place
 from archlint.model import EntityKind, Role
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, names_in, targets_in
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.architecture import TOPIC
 from archlint.connections.delivery import mistyped_on, undelivered_on
+from archlint.records import dataclass
 from archlint.systems.nodes import key_of
 from archlint.systems.shape import connections
 

@@ -7,13 +7,14 @@ Code is followed through the methods of its class; what other objects do with th
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept, once_for_each_file
 from archlint.libraries import tables
 from archlint.place import Place
 from archlint.python_code.class_chains import ClassInFile, chain_of, classes_of
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, targets_in
 from archlint.syntax.walk import called_name

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.dataflow.model import Step, StepKind
 from archlint.dataflow.paths import reached
 from archlint.model import EntityKind
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept, once
@@ -18,6 +17,7 @@ from archlint.execution.loop_times import in_loops
 from archlint.execution.piling_rates import RATE_SLEEP
 from archlint.execution.sleeps import longest, stay_of
 from archlint.execution.waits import Wait, waits
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Step

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Literal
 
 from archlint.dataflow.consequences import Effect, effects_of
@@ -14,6 +14,7 @@ from archlint.dataflow.systems import ranked
 from archlint.launch.parameter_sources import files_among
 from archlint.lookup.ends import remap_of
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.systems.externals import remapped_names
 from archlint.systems.overrides import applied, key_matches
 

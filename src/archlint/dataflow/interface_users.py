@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.lookup.mentions import Subject
 from archlint.lookup.texts import Texts
 from archlint.lookup.types_named import mentions_of_fields, mentions_of_imports
 from archlint.place import Place
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex

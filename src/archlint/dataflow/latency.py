@@ -6,7 +6,6 @@ Times that nobody can read off the source are terms without seconds; what is ass
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.dataflow.durations import longest_time, pauses, shortest_time
@@ -16,6 +15,7 @@ from archlint.dataflow.pace import interval, rate, sending_interval
 from archlint.dataflow.runs import SCRIPT
 from archlint.dataflow.threads import waits_for
 from archlint.model import Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow, Link, Step

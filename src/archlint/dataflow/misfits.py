@@ -7,7 +7,6 @@ turn sends.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.dataflow.durations import shortest_time
@@ -15,6 +14,7 @@ from archlint.dataflow.model import StepKind
 from archlint.dataflow.pace import rate, timer_period
 from archlint.dataflow.threads import waits_for
 from archlint.model import Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow, Step

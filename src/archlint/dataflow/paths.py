@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.dataflow.model import StepKind
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow, Link, Step

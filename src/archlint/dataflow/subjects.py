@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.transforms import looked_up_transforms, sent_transforms
 from archlint.dataflow.model import NOT_KNOWN, StepKind
 from archlint.model import NAMED
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow, Step

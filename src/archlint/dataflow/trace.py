@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.dataflow.latency import Term
@@ -11,6 +10,7 @@ from archlint.dataflow.misfits import Misfit
 from archlint.dataflow.model import Link, Step
 from archlint.dataflow.paths import Branch
 from archlint.dataflow.subjects import Subject
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow

@@ -8,7 +8,6 @@ that the two frames hang from, and on what sends transforms whose frames are not
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.transforms import LOOK_UP, TRANSFORMS, Transform, static_transform, transforms_of
@@ -16,6 +15,7 @@ from archlint.dataflow.model import NOT_KNOWN, How, Step, StepKind
 from archlint.dataflow.runs import SEND_TRANSFORMS
 from archlint.execution.loop_paces import is_decided
 from archlint.model import EntityKind
+from archlint.records import dataclass
 from archlint.ros.well_known import OF_TRANSFORMS
 
 if TYPE_CHECKING:

@@ -7,11 +7,11 @@ itself.  A comment more, at the end of a file say, changes none of these.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import msgspec
 
+from archlint.records import dataclass
 from archlint.workspace.text_questions import is_about_text
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import errno
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +13,7 @@ from archlint.analysis.pinned import BUILT_FILES, PINNING_FILES, PINNING_FOLDERS
 from archlint.disk import read_regular, walk
 from archlint.engine.facts_file import CodeRow, FileRow, ProblemRow, Shard
 from archlint.engine.facts_folder import FactsError
+from archlint.records import dataclass
 from archlint.workspace.around import is_below
 from archlint.workspace.model import COMPILED_KINDS
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name

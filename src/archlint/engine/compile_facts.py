@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +10,7 @@ from archlint.engine.compiling import compiled
 from archlint.engine.facts_folder import FactsError, write
 from archlint.engine.inputs import find_files, python_files
 from archlint.engine.pipeline import store_of
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.engine.facts_file import Shard

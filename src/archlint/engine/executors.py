@@ -9,13 +9,14 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Protocol
 
 import msgspec
 
 from archlint import __version__
 from archlint.engine.remote import Done, Task, identity, run_task
+from archlint.records import dataclass
 from archlint.syntax.workers import Answer, Crashed, Job, Lost, OnDone, TimedOut
 
 PATIENCE = 15.0

@@ -13,8 +13,9 @@ import tempfile
 import threading
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import IO
+
+from archlint.records import dataclass
 
 _OPTIONS = (
     "--no-pager",

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint.counted import counted
 from archlint.engine.request import NothingToDo, Request
+from archlint.records import dataclass
 from archlint.syntax.summaries import Summaries
 from archlint.workspace.around import is_below
 from archlint.workspace.discovery import find

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.disk import walk
@@ -21,6 +20,7 @@ from archlint.engine.answers import (
     stamps_of,
 )
 from archlint.engine.own_code import own_places
+from archlint.records import dataclass
 from archlint.syntax.cache import RACY_NS, Store
 
 if TYPE_CHECKING:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Collection, Mapping
-from dataclasses import astuple, dataclass, fields, is_dataclass
+from dataclasses import astuple, fields, is_dataclass
 from typing import TYPE_CHECKING
 
 from archlint.engine.own_code import own_code
 from archlint.programs.kept import KeptPrograms
 from archlint.programs.kept_launches import KeptLaunches
 from archlint.programs.kept_table import InMemory, Table, write
+from archlint.records import dataclass
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:

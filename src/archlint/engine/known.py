@@ -6,9 +6,10 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Iterable, Sequence, Set
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.report.occurrence import Key, Occurrence
 
 if TYPE_CHECKING:

@@ -9,11 +9,12 @@ found; a whole run then says what else has changed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import registered
 from archlint.checks.scope import Scope
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.checks.registry import Options

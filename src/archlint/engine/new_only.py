@@ -9,7 +9,7 @@ import hashlib
 import json
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.engine.git import GitError, Repository, repository_of
@@ -20,6 +20,7 @@ from archlint.engine.own_code import own_code
 from archlint.engine.pipeline import NothingToDo, Request, check, store_of
 from archlint.engine.surroundings import Surroundings, folder_of
 from archlint.finding import Severity
+from archlint.records import dataclass
 from archlint.report.occurrence import Key
 from archlint.workspace.discovery import PathNotFound
 

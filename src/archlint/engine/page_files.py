@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 from archlint.disk import read_regular, replace_file, walk
+from archlint.records import dataclass
 from archlint.render.pages import MARK
 
 _LIMIT = 20_000_000

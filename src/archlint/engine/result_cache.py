@@ -10,7 +10,7 @@ import hashlib
 import json
 import os
 from collections.abc import Collection
-from dataclasses import astuple, dataclass, replace
+from dataclasses import astuple, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, TypeVar
 
@@ -18,6 +18,7 @@ import msgspec
 
 from archlint.engine.alike import Alike, Answers
 from archlint.engine.own_code import own_code
+from archlint.records import dataclass
 from archlint.workspace.model import PYTHON_KINDS
 from archlint.workspace.text_questions import is_about_text
 from archlint.workspace.tree import TEXT_LIMIT

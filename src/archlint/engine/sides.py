@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from contextvars import copy_context
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.comparing.graphs import Graph, UnreadableGraph, graph_of, read_graph
@@ -19,6 +19,7 @@ from archlint.engine.old_tree import old_tree
 from archlint.engine.pipeline import store_of
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.surroundings import Surroundings, folder_of
+from archlint.records import dataclass
 from archlint.render.json import document
 from archlint.report.occurrence import Occurrence
 from archlint.syntax.python.deep_stack import call_with_deep_stack

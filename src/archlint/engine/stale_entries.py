@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
 from archlint.engine.inputs import is_subset
 from archlint.finding import Place
+from archlint.records import dataclass
 from archlint.rulebook import may_be_rule
 from archlint.workspace.around import is_below
 

@@ -7,13 +7,14 @@ of it is data, so the number of processes changes nothing but the time.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import analyses
 from archlint.checks.registry import registered
 from archlint.programs.ahead import Beside
+from archlint.records import dataclass
 from archlint.syntax import workers
 from archlint.syntax.memory import default_processes
 from archlint.workspace.model import PYTHON_KINDS

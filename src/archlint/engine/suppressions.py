@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
 from archlint.edit_sites import IdleSuppression, Sites
 from archlint.finding import Finding, Place
+from archlint.records import dataclass
 from archlint.rulebook import find_rule, may_be_rule, suggestion
 
 if TYPE_CHECKING:

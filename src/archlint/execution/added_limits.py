@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.order import always_comes_after, paths_to
@@ -16,6 +15,7 @@ from archlint.execution.own_timers import ends_its_timer_after, ends_its_timer_b
 from archlint.execution.present_servers import is_there
 from archlint.execution.sleeps import Stay, longest, stay_of
 from archlint.model import Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Program

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -13,6 +12,7 @@ from archlint.execution.busy_flags import waits_for_busy_flag
 from archlint.execution.loop_tests import awaited_attributes
 from archlint.execution.waiting_functions import EndlessWait, Waiting, classes_of, waiting_functions, why_kept_out
 from archlint.finding import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.walk import statements_of
 

@@ -10,9 +10,10 @@ jazzy and kilted.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final, Literal
 
+from archlint.records import dataclass
 from archlint.ros.distros import DISTROS
 from archlint.string_enum import StringEnum
 

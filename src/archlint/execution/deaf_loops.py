@@ -8,12 +8,12 @@ Source: ``Executor.spin`` in rclpy/executors.py returns when the context is shut
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import calls_of
 from archlint.analysis.source_code import source_code
 from archlint.finding import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, targets_in
 from archlint.syntax.walk import called_name, calls_in

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -10,6 +9,7 @@ from archlint.analysis.reach import argument, calls_of
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.straight_after import LOGS, follows_at_once
 from archlint.finding import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.walk import called_name, statements_of

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -16,6 +15,7 @@ from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.deadlock import threads_of
 from archlint.model import ExecutorKind, Role
 from archlint.model.given import Future
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.walk import called_name, calls_in, parts_of

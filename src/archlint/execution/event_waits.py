@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -15,6 +14,7 @@ from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.deadlock import group_relation, threads_of
 from archlint.model import Role
 from archlint.model.given import Object
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Program

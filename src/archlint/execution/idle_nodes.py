@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -19,6 +18,7 @@ from archlint.model import (
     Role,
     SpinDuration,
 )
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint, Creation, Program

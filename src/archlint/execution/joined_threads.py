@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -19,6 +19,7 @@ from archlint.execution.waits import Wait, waits
 from archlint.finding import Place
 from archlint.model import Role
 from archlint.model.given import Constant, Object
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import everything_in

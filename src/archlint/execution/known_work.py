@@ -6,11 +6,11 @@ The times are what CPython needs on a fast machine; a robot's computer takes sev
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.execution.called_here import called_here
 from archlint.python_code.class_chains import targets_of
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, names_in, parts_of
 from archlint.syntax.walk import called_name

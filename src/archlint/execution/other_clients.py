@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -12,6 +11,7 @@ from archlint.analysis.reach import argument, creations_of, judged_calls
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.finding import Place
 from archlint.model import EntityKind, Role
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 

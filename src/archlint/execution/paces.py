@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, coexist
@@ -13,6 +12,7 @@ from archlint.analysis.source_code import source_code
 from archlint.execution.own_timers import timer_period
 from archlint.execution.polling import is_unguarded, notes_that_it_ran
 from archlint.model import GroupKind, Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Creation

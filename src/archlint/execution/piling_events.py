@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import argument, has_limit
@@ -15,6 +14,7 @@ from archlint.execution.paces import Pace, pace_of, runs_beside_itself
 from archlint.execution.piling_waits import comes_each_time, outlasts, threads_written_for
 from archlint.execution.sleeps import longest
 from archlint.model import Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Program

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from archlint.analysis.reach import calls_of
@@ -11,6 +10,7 @@ from archlint.execution.blocking import SEVERAL
 from archlint.execution.deadlock import threads_of
 from archlint.execution.paces import Pace, pace_of, runs_beside_itself
 from archlint.execution.piling_waits import comes_each_time, threads_written_for
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -13,6 +12,7 @@ from archlint.execution.attribute_changes import changing_callbacks, is_used_oth
 from archlint.execution.waiting_functions import EndlessWait, Waiting, classes_of, waiting_functions, why_kept_out
 from archlint.finding import Place
 from archlint.python_code.annotations import imported_as
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.parts import everything_in, once_for, parts_of

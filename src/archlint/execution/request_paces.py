@@ -4,7 +4,6 @@ each message, or as soon as the last one is answered."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.kept import once
@@ -15,6 +14,7 @@ from archlint.execution.own_timers import timer_period
 from archlint.execution.paces import pace_of
 from archlint.execution.polling import goes_on, is_decided, is_unpaced, notes_that_it_ran
 from archlint.model import Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode

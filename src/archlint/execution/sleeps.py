@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.reach import argument
 from archlint.execution.bounds import most
 from archlint.libraries import tables
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import argument
@@ -11,6 +10,7 @@ from archlint.execution.blocking import ANY, ONE, OTHER, SPIN, STEAL, Outcome, l
 from archlint.execution.spins import is_spin_call, spun_node
 from archlint.model import Role, SpinDuration
 from archlint.model.given import Constant
+from archlint.records import dataclass
 from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:

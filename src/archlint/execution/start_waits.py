@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain
@@ -16,6 +15,7 @@ from archlint.execution.present_servers import until_it_comes
 from archlint.execution.spins import is_spun_in_sight
 from archlint.execution.waits import waits
 from archlint.model import SERVER_OF, EntityKind, Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Creation, Program

@@ -7,10 +7,10 @@ spin, and then remove it.  Tried with rclpy of jazzy: no timer of the node runs 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.model import Role, SpinDuration
+from archlint.records import dataclass
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import reach
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.execution.called_here import called_here
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, once_for, parts_of
 from archlint.syntax.walk import called_name, statements_of

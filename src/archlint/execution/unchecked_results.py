@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -12,6 +11,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.waits import SPINS_FOR_FUTURE
 from archlint.finding import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of

@@ -7,7 +7,6 @@ Python switches threads between any two bytecodes: what another thread has writt
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.own_methods import Method, methods_reached, statements_with_guards
@@ -17,6 +16,7 @@ from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.deadlock import group_relation, threads_of
 from archlint.finding import Place
 from archlint.model import Role
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import loop_of
 from archlint.syntax.flow_blocks import Block, Edge, Kind, Loop, reach, without_exceptions

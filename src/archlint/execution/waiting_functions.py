@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept, once
@@ -16,6 +15,7 @@ from archlint.execution.spins import is_spun_in_sight
 from archlint.execution.waits import asked_clients
 from archlint.finding import Place
 from archlint.model import Role
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, once_for, parts_of
 from archlint.syntax.walk import calls_in

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -19,6 +18,7 @@ from archlint.execution.deadlock import AWAIT, CALL, SPIN
 from archlint.execution.future_loops import awaits_in_each_round, gives_up, loop_until_done
 from archlint.model import Role
 from archlint.model.given import Constant, Future, Object
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 from archlint.syntax.walk import called_name, calls_in, given_to, statements_of

@@ -8,13 +8,14 @@ import errno
 import io
 import os
 from collections.abc import Callable, Collection, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
 from archlint.disk import lies_in, replace_file
 from archlint.fixes.source import Source, read
+from archlint.records import dataclass
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 from archlint.visible import visible
 

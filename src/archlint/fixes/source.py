@@ -6,12 +6,13 @@ import io
 import re
 import tokenize
 from bisect import bisect_right
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from pathlib import Path
 
 from archlint.disk import read_regular
 from archlint.place import Place
+from archlint.records import dataclass
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
 

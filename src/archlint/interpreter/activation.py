@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from archlint.branches import BranchArm
 from archlint.finding import Place
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -9,12 +9,13 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Literal
 
 from archlint.interpreter.imported_names import imported_names
 from archlint.interpreter.reads import Reads
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.syntax.facts import Facts, Span
 from archlint.workspace.closure import closure
 from archlint.workspace.importable import Importable

@@ -6,9 +6,10 @@ Whatever a run gives is decided by that.  Where all of it is as before, the run 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.workspace.closure import closure
 
 if TYPE_CHECKING:

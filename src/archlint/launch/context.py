@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from archlint.interpreter.values import Known, Unknown, Value, one_of
 from archlint.launch.objects import known_text
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.started import Remap
+from archlint.records import dataclass
 
 Global = list["ParameterSetting | ParameterFileUse | OpenParameters"]
 

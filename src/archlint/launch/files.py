@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.faults import Faults
 from archlint.finding import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.launch_elements import LaunchFacts
 from archlint.syntax.launch_templates import has_placeholders

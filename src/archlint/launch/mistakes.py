@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from archlint.finding import Place
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from archlint.branches import Branch, BranchArm, BranchArms
 from archlint.finding import Place
@@ -25,6 +25,7 @@ from archlint.launch.mistakes import (
 from archlint.launch.named_files import FileReference
 from archlint.launch.started import Started
 from archlint.model import Text
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

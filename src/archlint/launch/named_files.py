@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from archlint.finding import Place
 from archlint.launch.kinds import FileKind, FileStatus
+from archlint.records import dataclass
 from archlint.syntax.parameter_files import NotKnown
 
 

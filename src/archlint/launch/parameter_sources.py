@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar
 
 from archlint.finding import Place
 from archlint.launch.named_files import FileReference, Replacing, Rewriting, Written
+from archlint.records import dataclass
 from archlint.syntax.parameter_files import ParameterData
 
 PARAMS_FILE = "--params-file"

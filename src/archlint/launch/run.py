@@ -10,7 +10,7 @@ import posixpath
 from abc import abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint import model
@@ -43,6 +43,7 @@ from archlint.launch.named_files import FileReference, MadeFile
 from archlint.launch.objects import known_text
 from archlint.launch.started import Started, StartedProcesses
 from archlint.libraries.run import Run
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.faults import Faults

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from archlint.branches import BranchArms, ChoiceOfVisit
 from archlint.finding import Place
 from archlint.launch.kinds import StartedKind
 from archlint.launch.parameter_sources import Parameters
 from archlint.model import Text
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

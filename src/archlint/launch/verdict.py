@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from archlint.branches import BranchArm
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

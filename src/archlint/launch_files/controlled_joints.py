@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
@@ -12,6 +11,7 @@ from archlint.analysis.kept import once
 from archlint.launch_files.plugin_parameters import controllers_of
 from archlint.launch_files.unloaded_parameter_files import is_named, parameter_files
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.syntax.robot_descriptions import Component, Named, RobotDescription, read_description
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.place import Place
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.launch.named_files import FileReference

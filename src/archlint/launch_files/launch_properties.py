@@ -7,13 +7,13 @@ Source: ``Action.condition`` in launch/action.py has no setter in launch 0.10.10
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once_for_each_file
 from archlint.launch_files.launch_code import names_from_launch
 from archlint.launch_files.launch_descriptions import ACTIONS
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import statements_of

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.launch.frontends.tables import NESTED, SUBSTITUTIONS
 from archlint.launch.frontends.texts import closing, unquoted, words_of
+from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 from archlint.suggestions import nearest
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -17,6 +16,7 @@ from archlint.finding import Place
 from archlint.launch.named_files import Rewriting
 from archlint.launch.parameter_sources import files_among
 from archlint.launch_files.unloaded_parameter_files import parameter_files
+from archlint.records import dataclass
 from archlint.ros.parameter_types import ParameterType, type_of
 from archlint.ros.plugin_parameters import spelt, type_in, well_known
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.ros.bridged_types import pairs
 from archlint.suggestions import nearest
 

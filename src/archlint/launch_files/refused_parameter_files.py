@@ -7,12 +7,12 @@ Source: ``find_parameter_arrays`` and ``parse_value`` of rcl_yaml_param_parser, 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.launch.kinds import StartedKind
 from archlint.launch.parameter_sources import ParameterFileUse, files_among
+from archlint.records import dataclass
 from archlint.syntax.parameter_structure import ROOT, Misplaced, Misplacement
 from archlint.syntax.refused_parameters import Refusal, RefusedParameter
 

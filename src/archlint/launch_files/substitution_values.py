@@ -7,13 +7,14 @@ makes ``<launch.substitutions.… object at 0x…>`` of it; ``+`` raises a TypeE
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.launch.tables import SUBSTITUTIONS, LaunchClass
 from archlint.launch_files.launch_code import names_from_launch
+from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by

@@ -7,12 +7,12 @@ stops where it is none; a ``ParameterValue`` with ``value_type=str`` takes it as
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.launch_files.launch_code import names_from_launch
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.kept_comments import comment_that_is_no_yaml
 from archlint.syntax.parts import everything_in

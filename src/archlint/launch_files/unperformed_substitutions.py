@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.finding import Place
 from archlint.launch.parameter_sources import files_among
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.launch.parameter_sources import ParameterFileUse

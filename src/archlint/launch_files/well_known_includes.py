@@ -5,12 +5,12 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.analysis.pinned import may_be_on_focal
 from archlint.launch.kinds import FileStatus
+from archlint.records import dataclass
 from archlint.ros.launch_arguments import well_known
 
 if TYPE_CHECKING:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 

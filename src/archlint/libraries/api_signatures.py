@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
 
 import msgspec
 
 from archlint.model import Misuse
+from archlint.records import dataclass
 
 _FILE = Path(__file__).with_name("tables") / "signatures.json"
 _AS_IN = {"rclpy.qos.QoSProfile": "kilted"}

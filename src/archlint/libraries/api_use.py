@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.interpreter.values import Value
 from archlint.libraries.tables import Api
+from archlint.records import dataclass
 from archlint.syntax import facts
 
 if TYPE_CHECKING:

@@ -5,12 +5,12 @@ The table, ``tables/module_names.json``, is written by ``scripts/generate_module
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 import msgspec
 
+from archlint.records import dataclass
 from archlint.suggestions import nearest
 
 _FILE = Path(__file__).with_name("tables") / "module_names.json"

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Set
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
 from archlint import model
 from archlint.finding import Place
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.branches import BranchArm

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from archlint.place import Place
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import unreadable
 from archlint.launch.files import launch_facts_of
 from archlint.live.buffers import Buffers, Shifts
+from archlint.records import dataclass
 from archlint.syntax.compile import compile_sources
 from archlint.syntax.facts import decode
 from archlint.syntax.files import source_digest

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from archlint.finding import Finding, Related
 from archlint.fixes import Surroundings, attach
 from archlint.live.buffers import Buffers, Shifts
 from archlint.lookup.index import Index
+from archlint.records import dataclass
 from archlint.workspace.tree import decoded
 
 if TYPE_CHECKING:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TypeVar
 
+from archlint.records import dataclass
 from archlint.workspace.tree import SourceTree
 from archlint.workspace.words import WORD
 

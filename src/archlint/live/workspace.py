@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -23,6 +23,7 @@ from archlint.live.snapshot import Snapshot, shown_now
 from archlint.live.store import LiveStore
 from archlint.live.tree import DiskMemory, LiveTree
 from archlint.monitor import Monitor
+from archlint.records import dataclass
 from archlint.syntax.cache import NullStore, Store
 from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.syntax.secret import user_key

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from archlint.finding import Edit
 from archlint.place import Place
+from archlint.records import dataclass
 
 CompletionKind = Literal["topic", "service", "action", "type", "parameter", "package", "executable", "node"]
 

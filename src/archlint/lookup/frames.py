@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.analysis.transforms import looked_up_transforms, sent_transforms
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.analysis.transforms import Transform

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -12,6 +12,7 @@ from archlint.lookup.index import Index
 from archlint.lookup.mentions import Subject
 from archlint.lookup.texts import Texts
 from archlint.model import NAMED
+from archlint.records import dataclass
 from archlint.ros import names
 from archlint.systems.nodes import key_of
 

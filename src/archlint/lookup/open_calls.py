@@ -7,7 +7,9 @@ the brackets and strings in front of the position are counted.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from archlint.records import dataclass
 
 _TOKEN = re.compile(
     r"""

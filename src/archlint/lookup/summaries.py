@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
 from archlint.lookup.frames import FrameSummary
 from archlint.lookup.index import Index
 from archlint.lookup.mentions import Subject
 from archlint.lookup.running_nodes import running_nodes
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.architecture import ConnectionKind

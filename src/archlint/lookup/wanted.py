@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from archlint.model import EntityKind
 from archlint.place import Place
+from archlint.records import dataclass
 
 WantedKind = Literal[
     "name", "type", "import", "parameter", "package", "executable", "remap source", "remap target", "node key"

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import field, fields
 from enum import Enum
 from functools import cached_property
 from typing import Any, Final
@@ -42,6 +42,7 @@ from archlint.model.refused import Misuse, RefusedCall
 from archlint.model.texts import Text
 from archlint.model.transforms import FramePair
 from archlint.reasons import NotPassed, Uninformative
+from archlint.records import dataclass
 from archlint.ros.qos import Qos
 
 Plain = Any

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import IntEnum
 from typing import TYPE_CHECKING
 
 from archlint.model.kinds import ExecutorKind
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Place

@@ -5,10 +5,11 @@ No more than what analyses ask.  Each kind answers for itself; the base says tha
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Literal
 
 from archlint.origins import OriginKind
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Place

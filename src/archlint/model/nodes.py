@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Literal
 
 from archlint.model.kinds import EntityKind, ExecutorKind, GroupKind, Role
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.branches import BranchArms

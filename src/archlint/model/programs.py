@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from archlint.model.executors import (
@@ -10,6 +10,7 @@ from archlint.model.executors import (
     SpinDuration,
 )
 from archlint.model.given import Process
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Place

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 
 if TYPE_CHECKING:

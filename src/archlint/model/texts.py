@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.origins import OriginKind
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Place

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Any, Final, TypeVar
 
 import msgspec
@@ -18,6 +17,7 @@ from msgspec import Struct, field
 from archlint import model as program
 from archlint.finding import Place
 from archlint.observed.model import BAG, MONITOR, RECORDING, Observed, SeenEnd, SeenNode, SeenParameter, SeenTopic
+from archlint.records import dataclass
 from archlint.ros.qos import Durability, History, Liveliness, Qos, Reliability
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 

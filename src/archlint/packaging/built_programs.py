@@ -6,12 +6,12 @@ Source: ``get_executable_paths`` of ros2pkg lists ``lib/PACKAGE`` alone.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.launch_files.launch_code import started_programs
 from archlint.packaging.run_commands import told_to_run
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.place import Place

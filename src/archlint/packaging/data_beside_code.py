@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.packaging.own_folder_paths import FILE, of_file, paths_beside
 from archlint.packaging.uninstalled_files import understood
 from archlint.place import Place
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex

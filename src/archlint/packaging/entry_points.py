@@ -6,7 +6,6 @@ import posixpath
 import re
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Union
 
@@ -14,6 +13,7 @@ from archlint.analysis.aside import ros1_module
 from archlint.packaging.absent_packages import is_nowhere
 from archlint.packaging.generated_files import submodule_around
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.ros.python_modules import key_of
 from archlint.suggestions import nearest
 from archlint.syntax import facts

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.finding import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 
 if TYPE_CHECKING:

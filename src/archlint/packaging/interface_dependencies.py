@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.ros import packages, standard_interfaces
 from archlint.ros.interfaces import parts_of_type
 from archlint.syntax.interface_values import PRIMITIVE_TYPES

@@ -9,12 +9,12 @@ from __future__ import annotations
 import posixpath
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.packaging.left_out_code import certain_imports, changes_path, has_init, launch_files_in_python
 from archlint.packaging.uninstalled_files import understood
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.ros.python_modules import is_known
 from archlint.syntax import facts
 

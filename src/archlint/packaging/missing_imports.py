@@ -11,7 +11,6 @@ import posixpath
 import re
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.kept import kept, kept_for_each_file, once
@@ -24,6 +23,7 @@ from archlint.packaging.told_scripts import is_told_to_run
 from archlint.place import Place
 from archlint.python_code.absent_imports import forgiving, is_tolerant
 from archlint.python_code.offered_names import offers
+from archlint.records import dataclass
 from archlint.ros.python_modules import key_of
 from archlint.suggestions import nearest
 from archlint.syntax import facts

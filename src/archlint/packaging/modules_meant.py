@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.packaging.entry_points import NoModule, broken_target
 from archlint.packaging.imports import imports
 from archlint.python_code.offered_names import own_names
+from archlint.records import dataclass
 from archlint.suggestions import distance, nearest
 
 if TYPE_CHECKING:

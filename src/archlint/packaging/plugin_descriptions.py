@@ -9,12 +9,12 @@ from __future__ import annotations
 import html
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.analysis.cpp_nodes import CPP_SOURCES, without_cpp_comments
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.workspace.comments import replace_xml_comments
 

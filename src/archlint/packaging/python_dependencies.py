@@ -7,7 +7,7 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside, is_not_installed
@@ -15,6 +15,7 @@ from archlint.analysis.kept import once
 from archlint.analysis.pinned import ubuntu_releases
 from archlint.packaging.imports import imports_at_start
 from archlint.packaging.manifests import package_around
+from archlint.records import dataclass
 from archlint.ros import packages, python_modules, rosdep
 from archlint.workspace.closure import closure
 from archlint.workspace.comments import xml_comments

@@ -5,12 +5,12 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.packaging.generated_files import is_ignored
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.workspace.comments import replace_xml_comments
 from archlint.workspace.refused_manifests import Refusal, refusals

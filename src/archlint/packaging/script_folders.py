@@ -10,12 +10,12 @@ import configparser
 import posixpath
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.finding import Place
 from archlint.launch_files.launch_code import started_programs
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex

@@ -9,7 +9,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_disused
@@ -18,6 +17,7 @@ from archlint.packaging.cmake_packages import cmake_packages
 from archlint.packaging.cpp_includes import has_header, includes_of
 from archlint.place import Place
 from archlint.programs.built_targets import TYPE_SUPPORT
+from archlint.records import dataclass
 from archlint.ros import packages
 from archlint.workspace.closure import closure
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside, starts_ros
@@ -13,6 +12,7 @@ from archlint.launch_files.launch_code import started_programs
 from archlint.packaging.run_commands import told_to_run
 from archlint.packaging.unbuilt_files import is_unknown_to_cmake, runs_nowhere
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:

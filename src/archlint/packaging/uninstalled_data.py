@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
@@ -12,6 +11,7 @@ from archlint.packaging.share_paths import SHARE, paths_in_code, paths_in_share
 from archlint.packaging.uninstalled_files import files_told_already, mended_at, understood
 from archlint.place import Place
 from archlint.python_code.class_chains import files_with
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex

@@ -10,7 +10,6 @@ import fnmatch
 import posixpath
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
@@ -21,6 +20,7 @@ from archlint.packaging.foreign_launch_files import is_of_another_project
 from archlint.packaging.generated_files import is_ignored, submodule_around
 from archlint.packaging.told_scripts import tells_commands
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.workspace.installed import MARKERS
 
 if TYPE_CHECKING:

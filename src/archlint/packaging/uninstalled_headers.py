@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_disused
 from archlint.packaging.cpp_includes import has_header, headers_of, includes_of
 from archlint.packaging.uninstalled_files import mended_at, understood
 from archlint.place import Place
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex

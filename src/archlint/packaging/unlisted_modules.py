@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed, starts_ros
 from archlint.finding import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 
 if TYPE_CHECKING:

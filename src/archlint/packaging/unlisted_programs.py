@@ -9,7 +9,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside, starts_ros
@@ -18,6 +17,7 @@ from archlint.launch_files.launch_code import started_programs, words_of_launch_
 from archlint.packaging.run_commands import is_document, told_to_run
 from archlint.packaging.unlisted_modules import main_of
 from archlint.place import Place
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex

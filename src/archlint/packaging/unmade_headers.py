@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.packaging.cpp_includes import includes_of, is_of_workspace
 from archlint.place import Place
 from archlint.python_code.cpp_members import built_code
+from archlint.records import dataclass
 from archlint.ros.interfaces import InterfaceTable, header_stem
 from archlint.suggestions import nearest
 from archlint.syntax.interfaces import KIND_OF_SUFFIX

@@ -9,11 +9,11 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.launch.kinds import StartedKind
 from archlint.python_code.left_blanks import is_an_exercise
+from archlint.records import dataclass
 from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:

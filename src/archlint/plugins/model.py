@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from archlint.checks.registry import Check, add_checks
+from archlint.records import dataclass
 from archlint.rulebook import Rule, add_rules, own_rules
 
 

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint.monitor import Monitor
+from archlint.records import dataclass
 from archlint.syntax import workers
 
 if TYPE_CHECKING:

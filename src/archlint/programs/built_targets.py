@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from archlint.finding import Place
+from archlint.records import dataclass
 from archlint.ros import packages
 from archlint.workspace.cmake import Argument, Command
 from archlint.workspace.cmake_run import Step

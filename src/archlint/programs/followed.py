@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from archlint import model
 from archlint.finding import Place
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

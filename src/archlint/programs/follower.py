@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.reads import Reads
 from archlint.programs.followed import Followed
 from archlint.programs.progress import Progress
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.faults import Faults

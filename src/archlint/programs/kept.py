@@ -10,13 +10,14 @@ from __future__ import annotations
 import hashlib
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, cast
 
 from archlint.model.encoding import PROGRAMS, Language, NotEncodable, NotPrograms, decode, encode_noting
 from archlint.programs.followed import Definition, Followed
 from archlint.programs.kept_table import InMemory, Row, Table, write
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from archlint.interpreter.reads import Reads
@@ -13,6 +12,7 @@ from archlint.launch.model import Launched
 from archlint.programs.earlier_imports import EarlierImports
 from archlint.programs.kept import KeptResults
 from archlint.programs.keys import LaunchKey
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex

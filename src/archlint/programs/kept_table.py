@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 import msgspec
+
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from typing import TypeAlias

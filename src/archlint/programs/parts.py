@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.monitor import Monitor
 from archlint.programs.ahead import SHARES, Beside, follow_ahead, shares
 from archlint.programs.kept import KeptPrograms
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Module, ModuleIndex

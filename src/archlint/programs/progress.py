@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from archlint import model
 from archlint.finding import Place
 from archlint.programs.budget import Budget
 from archlint.programs.followed import Followed
 from archlint.programs.helpers import Holders
+from archlint.records import dataclass
 
 
 @dataclass

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence, Set
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -24,6 +24,7 @@ from archlint.programs.keys import DefinitionKey, ModuleKey, ProgramKey
 from archlint.programs.progress import Progress
 from archlint.programs.roots import flags_of
 from archlint.programs.top_level import definitions, place_of
+from archlint.records import dataclass
 from archlint.syntax.cpp.known_names import FIELDS
 from archlint.syntax.facts import Assign, Attribute, Function, Lambda
 from archlint.syntax.parts import names_in

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.place import Place
@@ -11,6 +10,7 @@ from archlint.python_code.class_chains import ClassInFile, chain_of, classes_of,
 from archlint.python_code.methods_at_work import of_self
 from archlint.python_code.unassigned_attributes import has_self, members_of
 from archlint.python_code.unshared_objects import given_in, is_unshared
+from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.libraries.module_names import is_known, is_module, lacks
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
 from archlint.syntax.walk import main_guard

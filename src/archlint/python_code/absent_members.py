@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -12,6 +11,7 @@ from archlint.python_code.class_chains import ClassInFile, chain_of, methods_of,
 from archlint.python_code.made_objects import CallOfObject, calls_of_objects, class_of_object
 from archlint.python_code.own_calls import bindings_of
 from archlint.python_code.unassigned_attributes import may_get, members_of
+from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for

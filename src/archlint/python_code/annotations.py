@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import source_code
 from archlint.finding import Place
 from archlint.libraries.rclpy.names import canonical, interface_and_section
 from archlint.python_code.signatures import signature_of
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.walk import statements_of
 

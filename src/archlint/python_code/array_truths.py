@@ -6,7 +6,6 @@ Source: ``ndarray.__bool__`` of numpy raises a ValueError for more than one elem
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Set
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -18,6 +17,7 @@ from archlint.python_code.plain_kinds import Kind, Values, kind_of, values_in, v
 from archlint.python_code.text_sums import is_its_own
 from archlint.python_code.tried_code import tried_for
 from archlint.python_code.used_nothing import tests_in
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of
 

@@ -7,11 +7,11 @@ no ``bytes`` equal to an ``int``, and refuses to order the two.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import source_code
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cache, wraps
 from itertools import takewhile
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint.analysis.kept import HasFiles, kept, kept_as, name_of, result_type
 from archlint.libraries.rclpy.names import canonical
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for, targets_in
 from archlint.syntax.walk import statements_of

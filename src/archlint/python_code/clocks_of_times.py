@@ -7,7 +7,6 @@ Source: rclpy/time.py of humble, jazzy and kilted: a ``Time`` made without a ``c
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.kept import kept_for_each_file
@@ -18,6 +17,7 @@ from archlint.python_code.methods_at_work import of_self
 from archlint.python_code.plain_kinds import Values, values_in, values_of_self
 from archlint.python_code.rclpy_objects import Kind, objects_of
 from archlint.python_code.text_sums import is_its_own
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import Itself, everything_in, parts_of

@@ -7,11 +7,11 @@ Source: rosidl makes a struct of each message, with its fields and constants as 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.place import Place
 from archlint.python_code.refused_by_rclcpp import is_judged
+from archlint.records import dataclass
 from archlint.ros.interfaces import InterfaceTable, MessageClass
 from archlint.syntax.cpp_uses import CALLED, ITEM
 

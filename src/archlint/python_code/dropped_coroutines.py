@@ -7,13 +7,13 @@ rclpy/executors.py asks what it is given whether it is one.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.python_code.made_objects import calls_of_objects, class_of_object
 from archlint.python_code.own_calls import function_meant, method_meant, own_calls_of
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, parts_of
 

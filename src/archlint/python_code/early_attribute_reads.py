@@ -7,7 +7,7 @@ certain, before it assigns them.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -26,6 +26,7 @@ from archlint.python_code.class_chains import (
 from archlint.python_code.methods_at_work import INIT, of_self
 from archlint.python_code.unassigned_attributes import has_self, may_get, members_of, names_of_body
 from archlint.python_code.unshared_objects import KEEPS_OUT, texts_given_to
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import without_exceptions

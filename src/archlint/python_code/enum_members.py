@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -25,6 +24,7 @@ from archlint.python_code.class_chains import (
 from archlint.python_code.own_calls import class_meant_by
 from archlint.python_code.tried_code import tried_for
 from archlint.python_code.unassigned_attributes import names_of_body
+from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for

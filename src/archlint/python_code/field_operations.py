@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import array
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.kept import kept_for_each_file, once
 from archlint.place import Place
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.tried_code import OF_A_WRONG_KIND, tried_for
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.interface_values import INTEGER_RANGES

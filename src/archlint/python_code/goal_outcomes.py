@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -14,6 +13,7 @@ from archlint.model import Role
 from archlint.python_code.assumptions import MOST, NOTHING, Known, after, dotted, variables, within
 from archlint.python_code.handler_ends import HandlerEnd, handlers_of, is_stub
 from archlint.python_code.raising_helpers import never_returns
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.parts import everything_in

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.source_code import SourceCode, source_code
@@ -14,6 +13,7 @@ from archlint.python_code.assumptions import Known, asked, proven, within
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.other_responses import other_response
 from archlint.python_code.raising_helpers import NeverReturns, never_returns
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_graph import Ends

@@ -4,12 +4,12 @@ and then ``from pathlib import Path``."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.python_code.own_calls import bindings_of
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import given_to

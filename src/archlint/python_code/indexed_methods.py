@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.libraries.api_signatures import signatures_of
@@ -20,6 +19,7 @@ from archlint.python_code.methods_looked_into import has_its_own, is_node_class
 from archlint.python_code.own_calls import method_meant
 from archlint.python_code.tried_code import tried_for
 from archlint.python_code.unassigned_attributes import attributes_of_self, has_self, names_of_body
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
 

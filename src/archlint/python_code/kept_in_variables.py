@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.place import Place
 from archlint.python_code.class_chains import classes_of, methods_of, targets_of
+from archlint.records import dataclass
 from archlint.syntax import facts
 
 if TYPE_CHECKING:

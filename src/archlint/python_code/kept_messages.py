@@ -5,7 +5,6 @@ and ``self.speed > 0.5``.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.place import Place
@@ -16,6 +15,7 @@ from archlint.python_code.message_variables import given_to_others
 from archlint.python_code.methods_at_work import of_self
 from archlint.python_code.plain_kinds import values_of_self
 from archlint.python_code.text_sums import is_its_own
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.parts import Itself, parts_of

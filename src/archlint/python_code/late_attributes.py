@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -34,6 +33,7 @@ from archlint.python_code.unassigned_attributes import (
     names_of_body,
 )
 from archlint.python_code.unshared_objects import asked_in, is_unshared
+from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, names_in

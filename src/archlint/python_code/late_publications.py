@@ -9,7 +9,6 @@ at times behind ``spin_once()``, which is left out here.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence, Set
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -23,6 +22,7 @@ from archlint.python_code.second_shutdowns import (
     leaves,
     targets_of_threads,
 )
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import calls_in, statements_of

@@ -7,7 +7,6 @@ with rclpy of jazzy, which refuses each of these.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -25,6 +24,7 @@ from archlint.python_code.parameters_as_values import gives_parameters
 from archlint.python_code.plain_kinds import Kind, Values, kind_of, kind_of_all, values_in, values_of_self
 from archlint.python_code.rclpy_objects import objects_of
 from archlint.python_code.text_sums import is_its_own
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of
 

@@ -7,7 +7,6 @@ Source: ``RcutilsLogger.log`` and ``get_filters_from_kwargs`` in rclpy/impl/rcut
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -17,6 +16,7 @@ from archlint.model import Misuse, RefusedCall
 from archlint.place import Place
 from archlint.python_code.class_chains import classes_of, files_with, methods_of
 from archlint.python_code.tried_code import tried_for
+from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of, targets_in

@@ -6,7 +6,6 @@ Source: as for :mod:`~archlint.python_code.message_operations`.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -20,6 +19,7 @@ from archlint.python_code.methods_at_work import of_self
 from archlint.python_code.plain_kinds import values_of_self
 from archlint.python_code.text_sums import is_its_own
 from archlint.python_code.tried_code import OF_A_WRONG_KIND, tried_for
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of
 from archlint.syntax.walk import is_none

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -13,6 +12,7 @@ from archlint.python_code.class_chains import ClassInFile, classes_of, files_wit
 from archlint.python_code.offered_names import MAKES_NAMES
 from archlint.python_code.own_calls import assigned_attributes, bindings_of, class_meant_by
 from archlint.python_code.tried_code import tried_for
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.parts import Itself, everything_in, once_for

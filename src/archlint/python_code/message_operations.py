@@ -7,7 +7,6 @@ Source: rosidl_generator_py makes plain objects of messages, with an attribute f
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -16,6 +15,7 @@ from archlint.model import Role
 from archlint.place import Place
 from archlint.python_code.field_operations import deeds_in, goes_wrong
 from archlint.python_code.unassigned_attributes import called_in
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.parts import once_for

@@ -7,7 +7,6 @@ begin with two underscores.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -26,6 +25,7 @@ from archlint.python_code.class_chains import (
 )
 from archlint.python_code.tried_code import tried_for
 from archlint.python_code.unassigned_attributes import attributes_of_self, has_self, members_of, names_of_body
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.kept import kept_for_each_file, once
@@ -15,6 +14,7 @@ from archlint.python_code.plain_kinds import Kind, Values, kind_of_all, values_i
 from archlint.python_code.text_sums import is_its_own
 from archlint.python_code.tried_code import tried_for
 from archlint.python_code.used_nothing import tests_in
+from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_few_files
@@ -14,6 +13,7 @@ from archlint.python_code.absent_members import AbsentMember
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.rclpy_objects import Kind, Objects, Variables, objects_of
 from archlint.python_code.tried_code import tried_for
+from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of

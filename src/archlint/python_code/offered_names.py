@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import given_by
 from archlint.syntax.parts import everything_in, once_for, parts_of

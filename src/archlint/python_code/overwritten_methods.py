@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.libraries.api_signatures import signatures_of
@@ -16,6 +15,7 @@ from archlint.python_code.block_bindings import after
 from archlint.python_code.class_chains import ClassInFile, chain_of, classes_of, kept_for_each_class, methods_of
 from archlint.python_code.methods_at_work import INIT, methods_at_work, of_self
 from archlint.python_code.tried_code import tried_for
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.parts import Itself, everything_in, parts_of

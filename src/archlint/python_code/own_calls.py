@@ -9,7 +9,6 @@ from __future__ import annotations
 import posixpath
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept, kept_for_each_file
@@ -27,6 +26,7 @@ from archlint.python_code.class_chains import (
 )
 from archlint.python_code.offered_names import MAKES_NAMES, stars
 from archlint.python_code.tried_code import tried_for
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by, names_bound
 from archlint.syntax.misspelt_constructor import CONSTRUCTOR, meant_as_constructor

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.python_code.own_calls import FunctionInFile, function_meant, own_calls_of
 from archlint.python_code.tried_code import tried_for
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of
 

@@ -6,7 +6,6 @@ Source: ``Parameter.__init__`` and ``Parameter.Type.check`` in rclpy/parameter.p
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -14,6 +13,7 @@ from archlint.libraries.rclpy.names import canonical
 from archlint.place import Place
 from archlint.python_code.annotations import imported_as
 from archlint.python_code.tried_code import tried_for
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
 

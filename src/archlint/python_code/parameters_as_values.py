@@ -7,7 +7,6 @@ no operator but ``==``, no length and no items, and counts as true whatever is i
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_few_files
@@ -16,6 +15,7 @@ from archlint.libraries.rclpy.names import NODE_CLASSES
 from archlint.place import Place
 from archlint.python_code.class_chains import Chain, ClassInFile, chain_of, classes_of
 from archlint.python_code.rclpy_objects import Kind, Objects, Variables, objects_of
+from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of

@@ -7,12 +7,12 @@ with Humble went the ``Duration`` that is made of a number of nanoseconds, and `
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.analysis.given_nodes import given_nodes
 from archlint.place import Place
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
 

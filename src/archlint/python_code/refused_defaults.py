@@ -7,7 +7,6 @@ TypeError; tried with rclpy of jazzy.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -15,6 +14,7 @@ from archlint.place import Place
 from archlint.python_code.class_chains import files_with
 from archlint.python_code.plain_kinds import Kind, kind_of
 from archlint.python_code.tried_code import tried_for
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
 from archlint.syntax.walk import given_to

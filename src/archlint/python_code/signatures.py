@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import FunctionFacts, source_code
+from archlint.records import dataclass
 from archlint.syntax import facts
 
 if TYPE_CHECKING:

@@ -7,7 +7,6 @@ Source: ``Node.__init__`` in rclpy/node.py calls no other constructor, so ``supe
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.place import Place
@@ -28,6 +27,7 @@ from archlint.python_code.unassigned_attributes import (
     members_of,
     names_of_body,
 )
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 

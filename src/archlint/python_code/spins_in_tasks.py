@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.python_code.annotations import imported_as
 from archlint.python_code.class_chains import targets_of
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, parts_of
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from archlint.python_code.block_bindings import is_plain, read_at, run_before
 from archlint.python_code.class_chains import targets_of
@@ -12,6 +12,7 @@ from archlint.python_code.early_attribute_reads import assigned_at, caught_in, m
 from archlint.python_code.first_values import first_values, holds
 from archlint.python_code.methods_at_work import MethodsAtWork, of_self
 from archlint.python_code.unassigned_attributes import has_self
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.control_flow import graph_of

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -16,6 +15,7 @@ from archlint.place import Place
 from archlint.python_code.annotations import imported_as
 from archlint.python_code.class_chains import ClassInFile, classes_of, files_with, methods_of, targets_of
 from archlint.python_code.own_calls import method_meant
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.parts import Itself, everything_in, parts_of

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -17,6 +16,7 @@ from archlint.python_code.parameters_as_values import gives_parameters
 from archlint.python_code.plain_kinds import Kind, Values, kind_of, kind_of_all, values_in, values_of_self
 from archlint.python_code.tried_code import tried_for
 from archlint.python_code.unassigned_attributes import may_get, members_of
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of
 

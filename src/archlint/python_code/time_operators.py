@@ -7,12 +7,12 @@ a plain message.  Equality is left out: what it says of another class differs be
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.python_code.rclpy_objects import Kind, objects_of
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of
 

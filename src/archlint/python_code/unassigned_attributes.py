@@ -6,7 +6,6 @@ Source: ``Node`` in rclpy/node.py; all distributions refuse the same properties.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -27,6 +26,7 @@ from archlint.python_code.class_chains import (
 from archlint.python_code.given_to_libraries import gives_itself_to_library
 from archlint.python_code.message_variables import given_to_others
 from archlint.python_code.unshared_objects import asked_in, may_be_given
+from archlint.records import dataclass
 from archlint.suggestions import distance, nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for

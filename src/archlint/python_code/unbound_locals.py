@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -16,6 +16,7 @@ from archlint.place import Place
 from archlint.python_code.block_bindings import after, bound_at, is_plain, read_at
 from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, stars
 from archlint.python_code.raising_helpers import is_caught_inside, never_returns
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, Edge, Kind, reach, without_exceptions

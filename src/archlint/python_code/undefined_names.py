@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file, once
@@ -17,6 +17,7 @@ from archlint.place import Place
 from archlint.python_code.evaluated_hints import evaluates_hints, hints_of
 from archlint.python_code.left_blanks import is_left_blank, lines_looked_at
 from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, starred
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
 from archlint.syntax.flow_facts import covers, is_unreachable

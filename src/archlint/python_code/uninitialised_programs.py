@@ -9,11 +9,11 @@ from __future__ import annotations
 import posixpath
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.python_code.offered_names import MAKES_NAMES
+from archlint.records import dataclass
 from archlint.ros.python_modules import key_of
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in

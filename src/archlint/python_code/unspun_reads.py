@@ -7,7 +7,6 @@ one block counts, with nothing between the two that is given the object or calls
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -17,6 +16,7 @@ from archlint.python_code.class_chains import ClassInFile, classes_of, targets_o
 from archlint.python_code.early_attribute_reads import caught_in
 from archlint.python_code.late_attributes import LateSetter, gets_it_nowhere_else, set_by_callbacks
 from archlint.python_code.methods_at_work import MethodsAtWork, methods_at_work
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
 from archlint.syntax.walk import blocks_of

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file, once
@@ -11,6 +10,7 @@ from archlint.place import Place
 from archlint.python_code.own_calls import function_meant, own_calls_of
 from archlint.python_code.plain_kinds import Kind, kind_of
 from archlint.python_code.tried_code import OF_A_WRONG_KIND, tried_for
+from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound

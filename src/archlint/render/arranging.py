@@ -9,9 +9,9 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
+from archlint.records import dataclass
 from archlint.render.packing import packed
 
 ROOM = 18.0

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from archlint.counted import counted
 from archlint.model import EntityKind
+from archlint.records import dataclass
 from archlint.ros.qos import Qos
 from archlint.systems.graph import NODE
 from archlint.systems.nodes import Endpoint, Node

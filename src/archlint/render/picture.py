@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from archlint.architecture import TOPIC
 from archlint.connections.unconnected import unconnected_on
+from archlint.records import dataclass
 from archlint.render.observed import mark
 from archlint.systems.graph import Key, node_keys, to_networkx
 from archlint.systems.model import System

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.ros.well_known import OF_RCLPY
 from archlint.suggestions import name_meant
 from archlint.systems.graph import ACTION, NODE, SERVICE, Key

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence, Set
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.render.diagram.choosing import network_of
 from archlint.render.diagram.making import marked_whole
 from archlint.render.selection import selected

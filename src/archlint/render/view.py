@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final, Literal
+
+from archlint.records import dataclass
 
 Style = Literal["nodes", "topics", "full"]
 """``nodes``: nodes alone, with what connects them written on the lines; ``topics``: nodes and topics; ``full``: also

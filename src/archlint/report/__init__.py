@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
+
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.report.model import Report

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint import cells
 from archlint.finding import SeverityLabel
+from archlint.records import dataclass
 from archlint.visible import visible
 
 if TYPE_CHECKING:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Literal
 
 from archlint.counted import counted
 from archlint.finding import Finding, Severity
+from archlint.records import dataclass
 from archlint.report.occurrence import Occurrence
 
 GroupName = Literal["rule", "package", "node", "file"]

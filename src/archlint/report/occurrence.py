@@ -6,9 +6,9 @@ import os
 import posixpath
 import re
 from collections.abc import Set
-from dataclasses import dataclass
 
 from archlint.finding import Finding, Place, Severity
+from archlint.records import dataclass
 from archlint.visible import visible
 
 _LINE_NUMBER = re.compile(r"\bline \d+")

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import TYPE_CHECKING
 
 from archlint.json_text import json_text
+from archlint.records import dataclass
 from archlint.report.fix_marks import is_fixable
 
 if TYPE_CHECKING:

@@ -8,9 +8,9 @@ Sources: PX4 v1.14 and later, ``src/modules/uxrce_dds_client/utilities.hpp`` (``
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import Final
 
+from archlint.records import dataclass
 from archlint.ros.qos import SENSOR_DATA, Qos
 
 

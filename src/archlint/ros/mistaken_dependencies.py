@@ -10,8 +10,8 @@ import enum
 import re
 import sys
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 
+from archlint.records import dataclass
 from archlint.ros import rosdep
 from archlint.ros.python_modules import key_of
 

@@ -10,9 +10,10 @@ A *pattern* is a name in which ``*`` stands for text that only data decides, any
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
+
+from archlint.records import dataclass
 
 HOLE = "*"
 TOPIC_NAME_LIMIT = 247

@@ -6,8 +6,9 @@ Sources: rmw ``qos_profiles.h``, rcl_action ``default_qos.h`` and rclpy ``qos.py
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
+
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Place

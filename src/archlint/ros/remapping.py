@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final, Literal
 
 from archlint.architecture import ACTION, SERVICE, TOPIC, ConnectionKind
+from archlint.records import dataclass
 from archlint.ros import names
 from archlint.ros.names import InvalidName
 

@@ -9,7 +9,7 @@ whatever else sets a pose once.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from archlint.records import dataclass
 
 
 @dataclass(frozen=True)

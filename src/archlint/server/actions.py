@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from lsprotocol.types import (
@@ -19,6 +18,7 @@ from lsprotocol.types import (
 from archlint.engine.suppressions import NEVER_SUPPRESSED
 from archlint.fixes.apply import apply, fixable
 from archlint.fixes.ignores import with_ignores
+from archlint.records import dataclass
 from archlint.visible import visible
 
 if TYPE_CHECKING:

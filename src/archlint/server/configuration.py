@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from archlint.config.settings import ConfigurationError, Settings, load
 from archlint.disk import read_regular
 from archlint.engine import baseline_file
 from archlint.plugins.permission import VARIABLE
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.engine.known import Baseline, Entry

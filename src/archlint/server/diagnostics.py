@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from lsprotocol.types import (
@@ -17,6 +17,7 @@ from lsprotocol.types import (
 
 from archlint.finding import Finding, Severity
 from archlint.project import REPOSITORY, is_placeholder
+from archlint.records import dataclass
 from archlint.rulebook import pages_folder
 from archlint.server.positions import Positions, Units
 from archlint.visible import visible

@@ -7,11 +7,12 @@ import os
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from lsprotocol.types import CodeAction, Diagnostic, DiagnosticSeverity, Position, Range
 
+from archlint.records import dataclass
 from archlint.server.actions import Actions
 from archlint.server.diagnostics import SOURCE, Shown, by_path
 from archlint.server.documents import Documents

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
 
 from lsprotocol import types as lsp
@@ -18,6 +17,7 @@ from archlint.lookup.renamable import prepare_rename
 from archlint.lookup.renaming import rename
 from archlint.lookup.targets import definition, references
 from archlint.lookup.texts import Texts
+from archlint.records import dataclass
 from archlint.server.actions import edit_of_files
 from archlint.visible import visible
 

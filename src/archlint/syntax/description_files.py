@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from archlint.records import dataclass
 from archlint.syntax.facts import Span
 from archlint.workspace.comments import replace_xml_comments
 

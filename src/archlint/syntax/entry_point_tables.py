@@ -7,7 +7,9 @@ import importlib
 import re
 import sys
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
+
+from archlint.records import dataclass
 
 _TARGET = re.compile(r"(?P<module>[\w.]+)(?:\s*:\s*(?P<function>[\w.]+))?(?:\s*\[.*\])?")
 _COMMENT = re.compile(r"(?:^|\s)#.*$", re.DOTALL)

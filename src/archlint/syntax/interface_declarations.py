@@ -7,9 +7,9 @@ parameters as in ``generate_parameter_library``, where a map without a ``type`` 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
+from archlint.records import dataclass
 from archlint.syntax.facts import Span
 from archlint.syntax.safe_yaml import YamlError, YamlReader, span_of
 

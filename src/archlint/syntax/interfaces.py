@@ -8,11 +8,12 @@ sections.  What it refuses becomes a problem at that line; the lines that are in
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Final, Literal
 
 import msgspec
 
+from archlint.records import dataclass
 from archlint.syntax.facts import Base, FileProblem
 from archlint.syntax.interface_values import (
     PRIMITIVE_TYPES,

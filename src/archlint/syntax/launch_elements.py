@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Union
 
+from archlint.records import dataclass
 from archlint.syntax.facts import FileProblem, Span, Suppression
 
 Scalar = Union[str, int, float, bool, None]

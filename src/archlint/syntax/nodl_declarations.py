@@ -6,9 +6,10 @@ Source: ``nodl_python`` 0.3.1, ``_schemas/v1.xsd``.  It says nothing of quality 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from xml.parsers import expat
 
+from archlint.records import dataclass
 from archlint.syntax.facts import Span
 from archlint.syntax.interface_declarations import EndEntry, EndKey, InterfaceDocument, ParameterEntry
 

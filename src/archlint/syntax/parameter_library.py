@@ -12,9 +12,10 @@ parameter; ``__map_x`` stands for each text of the parameter ``x``) and the temp
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.facts import FACTS_VERSION, Argument, Facts, FileProblem
 from archlint.syntax.parts import names_in

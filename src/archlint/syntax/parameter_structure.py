@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 from archlint.syntax.facts import Span
 from archlint.syntax.safe_yaml import span_of

@@ -6,9 +6,9 @@ import gc
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Protocol
 
+from archlint.records import dataclass
 from archlint.syntax import workers
 from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.syntax.workers import Answer, Job, OnDone

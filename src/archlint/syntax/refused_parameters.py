@@ -9,9 +9,9 @@ list, is read like a map without the dash.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 from archlint.syntax.facts import Span
 from archlint.syntax.parameter_structure import ROOT

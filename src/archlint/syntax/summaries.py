@@ -7,11 +7,13 @@ of one file leaves those of all others.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import Any, TypeVar, cast
 
 import msgspec
+
+from archlint.records import dataclass
 
 Result = TypeVar("Result")
 _Rows = dict[str, dict[str, msgspec.Raw]]

@@ -17,9 +17,10 @@ import time
 import warnings
 from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import NoReturn
 
+from archlint.records import dataclass
 from archlint.syntax.memory import own_bytes
 from archlint.syntax.python.deep_stack import call_with_deep_stack
 

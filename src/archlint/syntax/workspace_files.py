@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.workspace.importable import Importable
 from archlint.workspace.tree import NO_FILES, Tree
 

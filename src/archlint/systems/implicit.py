@@ -7,10 +7,11 @@ rcl_lifecycle ``com_interface.c``; rcl_action ``names.c``.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from archlint import model as program
 from archlint.model import Blueprint, Creation, Text
+from archlint.records import dataclass
 from archlint.ros import names, qos
 from archlint.ros.parameter_services import PARAMETER_SERVICES
 from archlint.ros.qos import Qos

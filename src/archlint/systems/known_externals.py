@@ -4,13 +4,14 @@ configuration."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 import msgspec
 
 from archlint.launch.parameter_sources import ParameterSetting
 from archlint.model import Blueprint, Creation, EntityKind, ExecutorKind, ParameterDeclaration, Text
+from archlint.records import dataclass
 from archlint.ros import external_nodes
 from archlint.ros.distros import DISTROS
 from archlint.ros.qos import Qos

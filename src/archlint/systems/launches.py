@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
@@ -13,6 +13,7 @@ from archlint.launch.launches import Launches
 from archlint.launch.model import Launched
 from archlint.launch.named_files import FileReference
 from archlint.model import Blueprint, Program
+from archlint.records import dataclass
 from archlint.systems.known_externals import NO_EXTERNAL_NODES, ExternalSources
 from archlint.systems.launched import LaunchSystems
 from archlint.systems.model import System, WorkspaceIndex

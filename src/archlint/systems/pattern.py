@@ -8,11 +8,11 @@ actions they ask weigh more than topics; where they weigh the same, as commands 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
 from archlint.architecture import ACTION, CONNECTIONS, SERVICE, TOPIC, ConnectionKind
 from archlint.counted import counted
+from archlint.records import dataclass
 from archlint.ros.well_known import OF_EVERY_NODE, OF_MANY_PUBLISHERS
 from archlint.systems.shape import components, connections, plain_graph, splits
 

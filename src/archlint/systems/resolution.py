@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from archlint.model import (
     NAMED,
@@ -11,6 +11,7 @@ from archlint.model import (
     Resolution,
     Text,
 )
+from archlint.records import dataclass
 from archlint.ros import names, remapping
 from archlint.ros.names import InvalidName
 from archlint.ros.remapping import RemapRule

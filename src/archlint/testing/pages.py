@@ -24,9 +24,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
+from archlint.records import dataclass
 from archlint.rulebook import pages_folder
 
 NAME_WITHOUT_A_NAME = {"python": "node.py", "toml": "archlint.toml"}

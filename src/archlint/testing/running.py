@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from contextvars import copy_context
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from archlint.config.selection import Layer
@@ -17,6 +17,7 @@ from archlint.observed.read import read
 from archlint.plugins.installed import entry_point, load_installed
 from archlint.plugins.loading import load_file
 from archlint.plugins.model import Plugin, activate
+from archlint.records import dataclass
 from archlint.rulebook import OFF, rules
 from archlint.testing.pages import Example, read_page
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Sequence
-from dataclasses import dataclass
 
+from archlint.records import dataclass
 from archlint.workspace.cmake import Argument, Command
 
 _VARIABLE = re.compile(r"\$\{([\w.+/-]+)\}")

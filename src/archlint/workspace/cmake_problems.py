@@ -7,8 +7,8 @@ its like are closed in the order in which they are opened.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
+from archlint.records import dataclass
 from archlint.workspace.cmake import LIMIT, Command, parse_cmake, tokens_of
 
 _CLOSES = {f"end{name}": name for name in ("if", "foreach", "while", "function", "macro", "block")}

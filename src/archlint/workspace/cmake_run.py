@@ -10,8 +10,9 @@ import fnmatch
 import posixpath
 import re
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from archlint.records import dataclass
 from archlint.workspace.cmake import Argument, Command, parse_cmake
 from archlint.workspace.cmake_branches import Branches
 from archlint.workspace.cmake_values import changed_list, list_mode, numbers, parsed_arguments, path_component

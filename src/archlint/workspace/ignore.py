@@ -10,8 +10,9 @@ import os
 import re
 import warnings
 from collections.abc import Callable, Set
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from archlint.records import dataclass
 from archlint.workspace.pruning import COLCON_FOLDERS
 from archlint.workspace.starred import StarredPattern, has_many_stars
 from archlint.workspace.tracked import Tracked

@@ -5,8 +5,10 @@ from __future__ import annotations
 import fnmatch
 import posixpath
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, Literal
+
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Place

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from xml.parsers import expat
 
+from archlint.records import dataclass
 from archlint.workspace.conditions import is_condition
 
 _VERSION = re.compile(r"[0-9]+\.[0-9]+\.[0-9]+")

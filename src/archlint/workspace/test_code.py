@@ -5,8 +5,9 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
+
+from archlint.records import dataclass
 
 _TRIES_OUT = frozenset({"test", "tests", "testing", "mock", "mocks", "mocked", "dummy", "dummies"}) | {
     *("fake", "fakes", "stub", "stubs", "fixture", "fixtures"),

@@ -6,8 +6,9 @@ import errno
 import os
 import stat
 from collections.abc import Callable, Iterator, Set
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from archlint.records import dataclass
 from archlint.workspace.around import is_below
 from archlint.workspace.ignore import Ignores, clones_in, ignores_above, pattern_files
 from archlint.workspace.kinds import has_python_shebang, kind_of, may_be_script

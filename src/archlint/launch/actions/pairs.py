@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.interpreter.values import Known, Value
 from archlint.launch.objects import PAIR_PLACE
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun

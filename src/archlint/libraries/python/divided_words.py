@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass
 from typing import Any
 
 from archlint.interpreter.values import (
@@ -11,6 +10,7 @@ from archlint.interpreter.values import (
     Known,
     Value,
 )
+from archlint.records import dataclass
 
 _MARK = "\0"
 """Starts what stands for a word that is not known: no command line can hold it."""

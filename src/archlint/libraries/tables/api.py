@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
 from archlint.model import EntityKind, ExecutorKind, Role
+from archlint.records import dataclass
 
 EffectName = Literal[
     "none",

@@ -6,10 +6,10 @@ Its size is bounded: what breaks something comes first, then what changed, then 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Final
 
 from archlint.comparing.sketch import Line, Mark, Sketch
+from archlint.records import dataclass
 
 MOST_LINES: Final = 60
 """A picture with more lines is not read."""

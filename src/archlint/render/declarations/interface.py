@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.model import ENDPOINT_KINDS, EntityKind
+from archlint.records import dataclass
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:

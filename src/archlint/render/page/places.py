@@ -10,9 +10,9 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
+from archlint.records import dataclass
 from archlint.render.drawing import layout
 from archlint.render.errors import CannotDraw
 

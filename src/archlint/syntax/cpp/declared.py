@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.syntax.cpp.known_names import POINTERS
 
 if TYPE_CHECKING:

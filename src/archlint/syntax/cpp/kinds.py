@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
+from archlint.records import dataclass
 from archlint.syntax.cpp.known_names import INTERFACE_KINDS
 from archlint.syntax.cpp_uses import Holder
 

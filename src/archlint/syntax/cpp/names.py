@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, NamedTuple
 
+from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.cpp.known_names import (
     IN_PYTHON,

@@ -17,9 +17,9 @@ import sys
 import tokenize
 import warnings
 from collections.abc import Iterable
-from dataclasses import dataclass
 from itertools import islice
 
+from archlint.records import dataclass
 from archlint.syntax.python import chains
 
 MAX_BYTES = 1_000_000

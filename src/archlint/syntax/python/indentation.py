@@ -11,7 +11,9 @@ import io
 import re
 import tokenize
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from archlint.records import dataclass
 
 _TAB = 8
 _LINE = re.compile(r"([ \t]*)([^\r\n]*(?:\r\n|\n|\r|\Z))")
