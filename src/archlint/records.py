@@ -86,46 +86,45 @@ else:
 
     def _add_comparisons(cls: type, own: set[str], frozen: bool, order: bool) -> None:
         if "__eq__" not in own:
-            cls.__eq__ = _equality(cls)
-        if "__hash__" not in own:
-            cls.__hash__ = _hash(cls) if frozen else None
+            _make_later(cls, "__eq__", lambda: _comparison(_compared(cls), operator.eq))
+        if "__hash__" not in own and frozen:
+            _make_later(cls, "__hash__", lambda: _hash(_hashed(cls)))
+        elif "__hash__" not in own:
+            cls.__hash__ = None
         for name in ("lt", "le", "gt", "ge") if order else ():
-            setattr(cls, f"__{name}__", _comparison(cls, getattr(operator, name)))
+            _make_later(cls, f"__{name}__", lambda name=name: _comparison(_compared(cls), getattr(operator, name)))
 
-    def _equality(cls: type) -> Callable[[object, object], bool]:
-        values: Callable[[object], tuple[object, ...]] | None = None
+    def _make_later(cls: type, name: str, make: Callable[[], Callable[..., object]]) -> None:
+        """Give a class a method that is made, and put in its own place, when it is first called."""
 
-        def __eq__(self: object, other: object) -> bool:
-            nonlocal values
+        def first(self: object, *others: object) -> object:
+            method = make()
+            setattr(cls, name, method)
+            return method(self, *others)
+
+        setattr(cls, name, first)
+
+    def _comparison(
+        values: Callable[[object], tuple[object, ...]], compare: Callable[..., bool]
+    ) -> Callable[[object, object], bool]:
+        def compared(self: object, other: object) -> bool:
             if other.__class__ is not self.__class__:
                 return NotImplemented
-            values = values or _values(cls, [field.name for field in fields(cls) if field.compare])
-            return values(self) == values(other)
-
-        return __eq__
-
-    def _hash(cls: type) -> Callable[[object], int]:
-        values: Callable[[object], tuple[object, ...]] | None = None
-
-        def __hash__(self: object) -> int:
-            nonlocal values
-            if values is None:
-                hashed = (field for field in fields(cls) if (field.compare if field.hash is None else field.hash))
-                values = _values(cls, [field.name for field in hashed])
-            return hash(values(self))
-
-        return __hash__
-
-    def _comparison(cls: type, compare: Callable[..., bool]) -> Callable[[object, object], bool]:
-        def ordered(self: object, other: object) -> bool:
-            if other.__class__ is not self.__class__:
-                return NotImplemented
-            values = _values(cls, [field.name for field in fields(cls) if field.compare])
             return compare(values(self), values(other))
 
-        return ordered
+        return compared
 
-    def _values(cls: type, names: list[str]) -> Callable[[object], tuple[object, ...]]:
+    def _hash(values: Callable[[object], tuple[object, ...]]) -> Callable[[object], int]:
+        return lambda self: hash(values(self))
+
+    def _compared(cls: type) -> Callable[[object], tuple[object, ...]]:
+        return _values([field.name for field in fields(cls) if field.compare])
+
+    def _hashed(cls: type) -> Callable[[object], tuple[object, ...]]:
+        rows = (field for field in fields(cls) if (field.compare if field.hash is None else field.hash))
+        return _values([field.name for field in rows])
+
+    def _values(names: list[str]) -> Callable[[object], tuple[object, ...]]:
         """What gets the values of fields, in a tuple."""
         if len(names) > 1:
             return operator.attrgetter(*names)
