@@ -21,17 +21,19 @@ _COMMAND = re.compile(r"\bros2[ \t]+run[ \t]+([\w-]+)[ \t]+([\w.-]+)")
 def told_to_run(workspace: WorkspaceIndex) -> Mapping[tuple[str, str], Place]:
     """Package and executable after each ``ros2 run``, with the first place of it."""
     rows: dict[tuple[str, str], Place] = {}
-    for path in sorted(workspace.tree.files_below(workspace.tree.top)):
-        text = workspace.tree.text(path) if is_document(path) else None
-        for call in _COMMAND.finditer(text or ""):
-            line = call.string.count("\n", 0, call.start()) + 1
+    for path, text in documents(workspace).items():
+        for call in _COMMAND.finditer(text):
+            line = text.count("\n", 0, call.start()) + 1
             rows.setdefault((call[1], call[2]), Place(path, line, 1, line, 1))
     return rows
 
 
-def is_document(path: str) -> bool:
-    """Whether a file is a document or a script, by its name."""
-    return _TEXTS.fullmatch(posixpath.basename(path)) is not None
+@once
+def documents(workspace: WorkspaceIndex) -> Mapping[str, str]:
+    """The texts of the documents and scripts of a workspace, by their paths, in the order of these."""
+    paths = sorted(workspace.tree.files_below(workspace.tree.top))
+    texts = ((path, workspace.tree.text(path)) for path in paths if _TEXTS.fullmatch(posixpath.basename(path)))
+    return {path: text for path, text in texts if text is not None}
 
 
-__all__ = ["is_document", "told_to_run"]
+__all__ = ["documents", "told_to_run"]

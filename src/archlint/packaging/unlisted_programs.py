@@ -12,9 +12,8 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside, starts_ros
-from archlint.analysis.kept import once
 from archlint.launch_files.launch_code import started_programs, words_of_launch_code
-from archlint.packaging.run_commands import is_document, told_to_run
+from archlint.packaging.run_commands import documents, told_to_run
 from archlint.packaging.unlisted_modules import main_of
 from archlint.place import Place
 from archlint.records import dataclass
@@ -114,16 +113,9 @@ def _is_named(workspace: WorkspaceIndex, file: str) -> bool:
     it is started."""
     stem = posixpath.basename(file).removesuffix(".py")
     named = re.compile(rf"(?<!\w){re.escape(stem)}\.py\b|-m\s+[\w.]*\b{re.escape(stem)}\b")
-    if any(named.search(text) for text in _documents(workspace)):
+    if any(map(named.search, documents(workspace).values())):
         return True
     return any(f"{stem}.py" in text for words in words_of_launch_code(workspace) for text in words)
-
-
-@once
-def _documents(workspace: WorkspaceIndex) -> list[str]:
-    paths = filter(is_document, workspace.tree.files_below(workspace.tree.top))
-    texts = (workspace.tree.text(path) for path in paths)
-    return [text for text in texts if text is not None]
 
 
 __all__ = ["UnlistedProgram", "unlisted_programs"]
