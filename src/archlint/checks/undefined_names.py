@@ -42,9 +42,9 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
             (row.place.file, row.near.partition(".")[0]) for row in missing_imports(system.workspace) if row.near
         }
         names = list(undefined_names(system.workspace))
-        unported_functions = {_function_around(system.workspace, read) for read in names if read.name in _OF_ROS_1}
+        of_ros_1 = {_function_around(system.workspace, read) for read in names if read.name in _OF_ROS_1} - {None}
         for read in names:
-            if read.name not in _OF_ROS_1 and _function_around(system.workspace, read) in unported_functions - {None}:
+            if of_ros_1 and read.name not in _OF_ROS_1 and _function_around(system.workspace, read) in of_ros_1:
                 continue  # who ports the function to rclpy writes the rest anew, too
             if (read.place.file, read.name) in misspelt:
                 continue  # API006 tells the slip in the import of that name

@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 
 _SPINS = ("rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete")
 _EXECUTOR = "rclpy.executors.Executor."
-_EXECUTOR_SPINS = ("spin", "spin_once", "spin_until_future_complete", "spin_once_until_future_complete")
+METHODS_THAT_SPIN = ("spin", "spin_once", "spin_until_future_complete", "spin_once_until_future_complete")
 _AT_START = (Role.INIT, Role.MAIN, Role.MODULE)
 """Roles of what runs one after the other, on the thread that the program starts with."""
 
 
 def is_spin_call(call: ApiCall) -> bool:
     """Whether a call spins a node or an executor."""
-    return call.api in _SPINS or call.api in {_EXECUTOR + name for name in _EXECUTOR_SPINS}
+    return call.api in _SPINS or call.api in {_EXECUTOR + name for name in METHODS_THAT_SPIN}
 
 
 def spun_node(call: ApiCall, program: Program) -> Blueprint | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once_for_each_file
+from archlint.execution.spins import METHODS_THAT_SPIN
 from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, names_in
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from archlint.model import Blueprint, Program
     from archlint.systems.model import System
 
-_SPINS = frozenset({"spin", "spin_once", "spin_until_future_complete", "spin_once_until_future_complete"})
 _SET_BEFORE = frozenset({"__init__", "__fields__"})
 
 
@@ -39,7 +39,7 @@ def _spins_of_later_rounds(code: facts.Facts) -> tuple[facts.Span, ...]:
         for branch in everything_in(loop.body, facts.If)
         if not changed.isdisjoint(names_in(branch.test))
         for call in everything_in((*branch.body, *branch.orelse), facts.Call)
-        if called_name(call) in _SPINS
+        if called_name(call) in METHODS_THAT_SPIN
     )
 
 
