@@ -231,3 +231,30 @@ def test_each_program_has_the_methods_that_its_own_file_defines() -> None:
         ("/keys", ["/from_keys"], ["keys"]),
         ("/pad", ["/from_pad"], ["pad"]),
     ]
+
+
+MAIN = """
+#include "robot/core.hpp"
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Core>()); }
+"""
+
+
+def test_each_program_has_the_methods_that_its_other_sources_define() -> None:
+    cores = {f"src/{name}.cpp": CORE.format(name=name).partition("int main")[0] for name in ("keys", "joy", "pad")}
+    cores["src/topics.cpp"] = '#include "robot/core.hpp"\nvoid Core::idle() {}\n'
+    declared = CORE_DECLARED.replace("private:", "private:\n  void idle();")
+    lines = [
+        "add_executable(keys src/main.cpp src/keys.cpp src/topics.cpp)",
+        "add_executable(joy src/joy.cpp src/topics.cpp src/main_of_joy.cpp)",
+        "add_executable(pad src/main.cpp src/topics.cpp src/pad.cpp)",
+        "install(TARGETS keys joy pad DESTINATION lib/robot)",
+    ]
+    mains = {"src/main.cpp": MAIN, "src/main_of_joy.cpp": MAIN}
+    files = {"include/robot/core.hpp": declared, "CMakeLists.txt": "\n".join(lines), **cores, **mains}
+    nodes = graph(files)["nodes"]
+    ends = sorted((node["name"], [end["name"] for end in node["publishers"]], node["executables"]) for node in nodes)
+    assert ends == [
+        ("/joy", ["/from_joy"], ["joy"]),
+        ("/keys", ["/from_keys"], ["keys"]),
+        ("/pad", ["/from_pad"], ["pad"]),
+    ]

@@ -43,7 +43,10 @@ def cpp_entry_points(
                 continue
             main = _main_of(executable, sources, facts_of)
             if main is not None:
-                entries.append(EntryPoint(executable.name, package, "", None, main))
+                others = tuple(
+                    sources[path] for path in executable.sources if path in sources and sources[path] != main
+                )
+                entries.append(EntryPoint(executable.name, package, "", None, main, others))
     return entries
 
 
@@ -102,26 +105,28 @@ def _class_of(plugin: str) -> str:
     return plugin.rpartition("::")[2]
 
 
-def use_own_methods(run: Run, module: Module) -> None:
-    """Let a program of C++ have the methods that its own file defines.
+def use_own_methods(run: Run, *own: Module) -> None:
+    """Let a program of C++ have the methods that the files define which it is built of, the one with ``main`` among
+    them.
 
     A header may declare one class for several programs, each of which defines the methods itself; which file was read
     last says nothing then.
     """
-    if module.file.kind != "cpp" or module.scope is None:
+    if len(own) == 1 and own[0].file.kind != "cpp":
         return
-    run.activations[-1] = Activation(module.name, module, module.scope, module.facts.body, run.store.depth)
-    block = [statement for statement in module.facts.body if _is_of_another_file(run, module, statement)]
-    run.execute(block)
+    for module in own:
+        if module.scope is not None:
+            run.activations[-1] = Activation(module.name, module, module.scope, module.facts.body, run.store.depth)
+            run.execute([statement for statement in module.facts.body if _is_of_another(run, own, statement)])
 
 
-def _is_of_another_file(run: Run, module: Module, statement: facts.Stmt) -> bool:
-    """Whether a statement sets a method on a class that now has the one of another file."""
+def _is_of_another(run: Run, own: Sequence[Module], statement: facts.Stmt) -> bool:
+    """Whether a statement sets a method on a class that now has the one of a file besides a program's ``own``."""
     match statement:
         case facts.Assign([facts.Attribute(facts.Name() as owner, method)], facts.Name(defined)) if "::" in defined:
             cls = run.evaluate(owner)
             known = run.store.get(cls.key, method) if isinstance(cls, ClassValue) else None
-            return isinstance(known, FunctionValue) and known.scope.module is not module
+            return isinstance(known, FunctionValue) and known.scope.module not in own
     return False
 
 

@@ -20,6 +20,8 @@ class EntryPoint:
     module: str
     function: str | None
     file: SourceFile | None = None
+    others: tuple[SourceFile, ...] = ()
+    """The sources of C++ that the executable is built of, besides ``file``."""
 
 
 Entry: TypeAlias = "tuple[EntryPoint, Module]"

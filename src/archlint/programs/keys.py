@@ -34,6 +34,8 @@ class EntryKey(ProgramKey):
     """Parameters and names from outside, as in :attr:`archlint.model.Overrides.key`; None without any."""
     words: tuple[str | None, ...] | None
     """Its command line, None for words that are not known; None as a whole where nothing is known of it."""
+    others: tuple[str, ...] = ()
+    """The shown paths of the other sources of C++ that it is built of."""
 
 
 @dataclass(frozen=True)

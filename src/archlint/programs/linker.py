@@ -269,7 +269,8 @@ class Linker:
 
         changes = None if overrides is None else overrides.key
         given = None if words is None else tuple(words)
-        key = EntryKey(module.path, entry.package, entry.executable, entry.function, changes, given)
+        others = tuple(file.relative for file in entry.others)
+        key = EntryKey(module.path, entry.package, entry.executable, entry.function, changes, given, others)
         if self._settled:
             self.monitor.following(1)
         program, is_settled = self.follower.follow_entry(
@@ -297,7 +298,7 @@ class Linker:
             if words is not None:
                 command_line.give_words(run, words)
             run.import_module(module)
-            use_own_methods(run, module)
+            use_own_methods(run, module, *self._built_with(entry))
             if entry.function is not None:
                 function = self._dotted(run, module, entry.function)
                 if function is not None and not _has_run_on_import(module, entry.function, function):
@@ -310,6 +311,11 @@ class Linker:
                 _run_block(run, module, module.facts)
             _make_escaped_class(run)
         return root.result()
+
+    def _built_with(self, entry: EntryPoint) -> list[Module]:
+        """The sources of C++ that an executable is built of, besides the one that it starts in."""
+        modules = map(self.index.module, entry.others)
+        return [module for module in modules if module is not None]
 
     def _names_in_file(self, file: str) -> frozenset[str]:
         """All names that a file, by its shown path, uses."""
