@@ -40,7 +40,7 @@ def names(findings):
         (
             TALKER + "install(TARGETS talker listener DESTINATION lib/${PROJECT_NAME})\n",
             "install() is given 'listener', a target that there is not: the build stops",
-            "add the add_executable() or add_library() that makes it",
+            "remove it, or write a target that there is: talker; the package has no source left for another one",
         ),
         (
             TALKER + "add_library(parts src/talker.cpp)\nament_target_dependencies(talker parts rclcpp)\n",
@@ -65,7 +65,7 @@ def names(findings):
         (
             TALKER + "target_link_libraries(talker ${PROJECT_NAME})\n",
             "target_link_libraries() is given 'robot', a target that there is not: the build stops",
-            "add the add_executable() or add_library() that makes it",
+            "remove it, or write a target that there is: talker; the package has no source left for another one",
         ),
         (
             TALKER + GENERATES + "ament_target_dependencies(talker rclcpp Speed)\n",
@@ -107,6 +107,35 @@ def names(findings):
 )
 def test_what_is_not_there(names, text, message, help):
     assert names(text) == [(message, help)]
+
+
+def test_one_finding_for_all_that_was_copied(names):
+    copied = "ament_target_dependencies(costmap rclcpp nav_msgs)\ninstall(TARGETS costmap mapping talker merger)\n"
+    assert names(TALKER + copied) == [
+        (
+            "ament_target_dependencies() is given 'costmap', a target that there is not: the build stops; so it is "
+            "with 'mapping', 'merger'",
+            "remove them, or write a target that there is: talker; the package has no source left for another one",
+        )
+    ]
+
+
+@pytest.mark.parametrize(
+    "sources",
+    [
+        {"src/costmap_node.cpp": "void map() {}\n", "src/mapping/Mapping.cpp": "void map() {}\n"},
+        {"src/start.cpp": "int main(int argc, char ** argv) {}\n"},
+    ],
+)
+def test_a_target_that_the_sources_are_there_for(findings, sources):
+    text = "ament_target_dependencies(costmap rclcpp nav_msgs)\ninstall(TARGETS mapping)\n"
+    files = {"src/talker.cpp": SOURCE, "CMakeLists.txt": f"{HEAD}{TALKER}{text}ament_package()\n", **sources}
+    found = findings("PKG012", **{"package.xml": CMAKE, **files})
+    assert [finding.help for finding in found] == [
+        "add the add_executable() or add_library() that makes it",
+        "add find_package(nav_msgs REQUIRED)",
+        "add the add_executable() or add_library() that makes it",
+    ]
 
 
 def test_one_finding_for_a_name(names):

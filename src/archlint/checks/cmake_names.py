@@ -6,17 +6,19 @@ import posixpath
 import re
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.dependency_uses import brought_by
-from archlint.checks.folding import folds, with_others
+from archlint.checks.folding import folds, with_others, with_places
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.packaging.cmake_packages import cmake_packages
+from archlint.packaging.left_over_targets import left_over_targets
 from archlint.ros import packages
-from archlint.suggestions import did_you_mean, nearest
+from archlint.suggestions import did_you_mean, listed, nearest
 from archlint.workspace.closure import closure
 
 if TYPE_CHECKING:
@@ -153,12 +155,15 @@ def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -
     unknown = there - SYSTEM - known
     all_known = not unknown
     lacking = known - there - {*options.external} if all_known else frozenset[str]()
+    left_over = left_over_targets(workspace, installs)
     for named in installs.names_of_nothing:
+        if named.target in left_over:
+            continue
         halves = _halves(named.name, known)
         if named.command == _PROJECT:
             yield _project(installs, named)
         elif not named.package:
-            yield _target(installs, named)
+            yield _target(installs, named, named.name in left_over)
         elif named.name in installs.targets and named.command == _TAKES_A_TARGET:
             yield _target_as_package(installs, named)
         elif named.name not in known and halves is not None:
@@ -216,15 +221,25 @@ def _project(installs: Installs, named: NameInCMake) -> Finding:
     return _finding(installs, named, message, f"write project({installs.package})", "project")
 
 
-def _target(installs: Installs, named: NameInCMake) -> Finding:
+def _target(installs: Installs, named: NameInCMake, is_left_over: bool) -> Finding:
     near, hint = nearest(named.name, installs.targets), did_you_mean(named.name, installs.targets)
+    help = f"write '{near}'" if near is not None else "add the add_executable() or add_library() that makes it"
+    if is_left_over:
+        there = [target.name for target in installs.built]
+        instead = f", or write a target that there is: {listed(there)}" if 0 < len(there) <= _FEW else ""
+        help = f"remove it{instead}; the package has no source left for another one"
     return _finding(
         installs,
         named,
         f"{named.command}() is given '{named.name}', a target that there is not: the build stops{hint}",
-        f"write '{near}'" if near is not None else "add the add_executable() or add_library() that makes it",
-        "target",
+        help,
+        _LEFT_OVER if is_left_over else "target",
     )
+
+
+_LEFT_OVER = "left over"
+_FEW = 3
+"""How many targets are worth naming."""
 
 
 def _target_as_package(installs: Installs, named: NameInCMake) -> Finding:
@@ -263,15 +278,21 @@ def _halves(name: str, known: frozenset[str]) -> tuple[str, str] | None:
 
 def _finding(installs: Installs, named: NameInCMake, message: str, help: str, kind: str) -> Finding:
     identity = (installs.package, named.command, named.name)
-    return finding(
-        "PKG012", named.place, message, help=help, identity=identity, group=(named.place.file, kind, named.name)
-    )
+    cause = kind if kind == _LEFT_OVER else f"{kind} {named.name}"
+    return finding("PKG012", named.place, message, help=help, identity=identity, group=(named.place.file, cause))
 
 
 @folds("PKG012")
-def _of_one_name(findings: Sequence[Finding]) -> Finding:
-    """One finding for a name, however many commands are given it."""
-    return with_others(findings, "another command is", "more commands are", "given it, too")
+def _of_one_cause(findings: Sequence[Finding]) -> Finding:
+    """One finding for a name, however many commands are given it, and one for all targets that were left over."""
+    name = findings[0].identity[-1]
+    others = [row for row in findings if row.identity[-1] != name]
+    if not others:
+        return with_others(findings, "another command is", "more commands are", "given it, too")
+    names = listed([f"'{each}'" for each in dict.fromkeys(row.identity[-1] for row in others)])
+    more = f"so it is with {names}"
+    first = with_places(findings)
+    return replace(first, message=f"{first.message}; {more}", help=(first.help or "").replace("it", "them", 1))
 
 
 __all__ = ["SYSTEM", "found_with", "unknown_cmake_name"]

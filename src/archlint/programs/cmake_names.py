@@ -135,10 +135,11 @@ def _of_packages(step: Step) -> Iterator[NameInCMake]:
             if not argument.open:
                 yield NameInCMake(argument.text, _GENERATES, _place(argument, step), package=True)
     if step.command.name in _OF_PACKAGES:
-        arguments = step.command.arguments[_OF_PACKAGES[step.command.name] :]
-        for argument in arguments:
+        first = _OF_PACKAGES[step.command.name]
+        target = step.command.texts[0] if first and step.command.texts else ""
+        for argument in step.command.arguments[first:]:
             if not argument.open and argument.text not in _KEYWORDS:
-                yield NameInCMake(argument.text, step.command.name, _place(argument, step), package=True)
+                yield NameInCMake(argument.text, step.command.name, _place(argument, step), package=True, target=target)
 
 
 def _dependencies(command: Command) -> Sequence[Argument]:

@@ -80,12 +80,14 @@ class NeededSource:
 
 @dataclass(frozen=True)
 class NameInCMake:
-    """A target that a ``command`` is given and that none has made; or a ``package`` that none has found."""
+    """A target that a ``command`` is given and that none has made; or a ``package`` that none has found, with the
+    ``target`` that it is given for."""
 
     name: str
     command: str
     place: Place
     package: bool = False
+    target: str = ""
 
 
 @dataclass(frozen=True)
