@@ -193,3 +193,23 @@ def test_the_costmaps_of_a_file_are_one_finding(findings):
     assert (told.place.line, [row.place.line for row in told.related]) == (4, [7])
     assert [row.message for row in told.related] == ["so it is with '/global_costmap'"]
     assert told.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(("named", "times"), [("nav2_params_v2", 0), ("nav2_params", 1), ("elsewhere", 1)])
+def test_a_costmap_in_a_file_that_another_one_has_replaced(findings, named: str, times: int):
+    """The file that a launch file names is the one in use; without any, the command line may name both."""
+    names = ("amcl", "bt_navigator", "local_costmap")
+    old = "".join(f"{name}:\n  ros__parameters:\n    use_sim_time: false\n" for name in names)
+    new = old.replace("local_costmap:\n", "local_costmap:\n  local_costmap:\n  ").replace("    use", "      use")
+    include = f"""
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+
+
+def generate_launch_description():
+    file = get_package_share_directory('robot') + '/config/{named}.yaml'
+    return LaunchDescription([DeclareLaunchArgument('params_file', default_value=file)])
+"""
+    files = {"config/nav2_params.yaml": old, "config/nav2_params_v2.yaml": new, "launch/nav.launch.py": include}
+    assert len(findings("PRM005", "", **files)) == times

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_aside
 from archlint.analysis.kept import once
 from archlint.launch_files.plugin_parameters import controllers_of
-from archlint.launch_files.unloaded_parameter_files import is_named, parameter_files
+from archlint.launch_files.unloaded_parameter_files import is_superseded, parameter_files
 from archlint.place import Place
 from archlint.records import dataclass
 from archlint.suggestions import nearest
@@ -89,13 +89,9 @@ def wrong_for_controllers(workspace: WorkspaceIndex) -> Iterator[Mistake]:
 def _is_superseded(workspace: WorkspaceIndex, file: str, types: Collection[str]) -> bool:
     """Whether nothing names a file, and something names another of its package that has all of its controllers: it is
     what they were before."""
-    others = [
-        other
-        for other, facts in parameter_files(workspace)
-        if other != file and workspace.package_of(other) == workspace.package_of(file)
-        if types and controllers_of(facts).keys() >= set(types)
-    ]
-    return bool(others) and not is_named(workspace, file) and any(is_named(workspace, other) for other in others)
+    rows = parameter_files(workspace)
+    others = [other for other, facts in rows if types and controllers_of(facts).keys() >= set(types)]
+    return is_superseded(workspace, file, others)
 
 
 def _texts(value: object) -> list[str]:

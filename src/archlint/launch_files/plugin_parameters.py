@@ -15,7 +15,7 @@ from archlint.analysis.pinned import is_from_before_galactic
 from archlint.finding import Place
 from archlint.launch.named_files import Rewriting
 from archlint.launch.parameter_sources import files_among
-from archlint.launch_files.unloaded_parameter_files import parameter_files
+from archlint.launch_files.unloaded_parameter_files import is_superseded, parameter_files
 from archlint.records import dataclass
 from archlint.ros.parameter_types import ParameterType, type_of
 from archlint.ros.plugin_parameters import spelt, type_in, well_known
@@ -111,10 +111,11 @@ def costmaps_without_namespace(workspace: WorkspaceIndex) -> Iterator[tuple[Plac
     ``Costmap2DROS`` of nav2_costmap_2d, since Dashing."""
     if "nav2_costmap_2d" in {package.name for package in workspace.manifests.values()}:
         return
-    for file, facts in parameter_files(workspace):
-        for section in facts.sections if _is_of_nav2(facts) else ():
-            if _misses_its_costmap(facts, section):
-                yield Place(file, *section.span), section.path[0].strip("/")
+    of_nav2 = {file: facts for file, facts in parameter_files(workspace) if _is_of_nav2(facts)}
+    for file, facts in of_nav2.items():
+        missing = [section for section in facts.sections if _misses_its_costmap(facts, section)]
+        if missing and not is_superseded(workspace, file, of_nav2):
+            yield from ((Place(file, *section.span), section.path[0].strip("/")) for section in missing)
 
 
 def _misses_its_costmap(facts: ParameterFacts, section: ParameterSection) -> bool:

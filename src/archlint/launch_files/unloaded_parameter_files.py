@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
@@ -93,6 +93,13 @@ def is_named(workspace: WorkspaceIndex, file: str) -> bool:
     return any(workspace.code.mentions(path, stem) and workspace.tree.lines_with(path, name) for path in paths)
 
 
+def is_superseded(workspace: WorkspaceIndex, file: str, others: Collection[str]) -> bool:
+    """Whether nothing names a file, and something names another one of its package, of ``others`` that have all that it
+    has: it is what they were before."""
+    beside = [other for other in others if workspace.package_of(other) == workspace.package_of(file) and other != file]
+    return bool(beside) and not is_named(workspace, file) and any(is_named(workspace, other) for other in beside)
+
+
 _TELLS = re.compile(r"(?:^|/)(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash|txt)|[Dd]ockerfile[^/]*|Makefile)$", re.IGNORECASE)
 """What says how something is started."""
 
@@ -153,7 +160,7 @@ def _is_named_in_code(workspace: WorkspaceIndex, file: str) -> bool:
 
 __all__ = [
     "has_no_reader",
-    "is_named",
+    "is_superseded",
     "is_template",
     "loaded_files",
     "misplaced_in_unloaded",
