@@ -1217,6 +1217,53 @@ def test_a_file_of_a_package_that_is_not_declared(lint):
     assert lint(files | declared) == []
 
 
+OPTIONAL = """
+from ament_index_python.packages import PackageNotFoundError, get_package_prefix, get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription, LogInfo
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch_ros.actions import Node
+
+
+def share_of(package):
+    try:
+        return get_package_share_directory(package)
+    except PackageNotFoundError:
+        return None
+
+
+def generate_launch_description():
+    actions = []
+    {}
+    return LaunchDescription(actions)
+"""
+INCLUDE = "actions.append(IncludeLaunchDescription(PythonLaunchDescriptionSource(share + '/launch/rviz2.launch.py')))"
+TRIED = "    try:\n        share = get_package_share_directory('turtlebot3_bringup')\n    except {}:\n        {}\n"
+
+
+@pytest.mark.parametrize(
+    ("code", "told"),
+    [
+        (f"{TRIED.format('PackageNotFoundError', 'share = None')}    if share is not None:\n        {INCLUDE}", 0),
+        (f"{TRIED.format('Exception as error', 'share = str(error)')}    {INCLUDE}", 0),
+        (f"{TRIED.format('Exception', 'raise RuntimeError()')}    {INCLUDE}", 1),
+        (f"{TRIED.format('Exception', 'return LaunchDescription([])')}    {INCLUDE}", 1),
+        (f"{TRIED.format('OSError', 'share = None')}    {INCLUDE}", 1),
+        (f"    share = share_of('turtlebot3_bringup')\n    if share:\n        {INCLUDE}", 0),
+        (f"    share = get_package_share_directory('turtlebot3_bringup')\n    {INCLUDE}", 1),
+        (
+            "    try:\n        get_package_prefix('turtlebot3_bringup')\n"
+            "        actions.append(Node(package='turtlebot3_bringup', executable='any'))\n"
+            "    except PackageNotFoundError:\n        actions.append(LogInfo(msg='no robot'))\n",
+            0,
+        ),
+    ],
+)
+def test_a_package_that_a_launch_file_can_do_without(lint, code: str, told: int):
+    files = {"package.xml": manifest("robot"), "launch/it.launch.py": OPTIONAL.format(code.strip())}
+    assert len(lint(files)) == told
+
+
 def test_the_name_under_which_setup_py_indexes_a_package_is_the_package_itself(lint):
     launch = '<launch><node pkg="turtlesim" exec="drive"/></launch>'
     setup = "from setuptools import setup\nsetup(name='turtlesim', data_files=[('share/{}', ['resource/turtlesim'])])\n"

@@ -18,6 +18,7 @@ from archlint.packaging.imports import imports_at_start
 from archlint.packaging.interface_dependencies import not_handed, types_of_others
 from archlint.packaging.launch_dependencies import packages_of_files, packages_of_includes, runs_of_programs
 from archlint.packaging.manifests import package_around
+from archlint.packaging.optional_packages import optional_packages
 from archlint.records import dataclass
 from archlint.ros import packages
 from archlint.workspace.closure import closure
@@ -44,6 +45,7 @@ How = Literal[
     "tests with",
 ]
 _IMPORTS: frozenset[How] = frozenset({"imports", "imports a module of"})
+_LAUNCHES: frozenset[How] = frozenset({"starts a node of", "includes a launch file of", "takes files of"})
 BUILDS: frozenset[How] = frozenset({"builds with", "builds its tests with", "includes headers of"})
 
 
@@ -80,6 +82,8 @@ def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, l
             continue
         if _is_itself(workspace, package, use.needed) or _is_left_out(workspace, package, use):
             continue
+        if use.how in _LAUNCHES and _is_optional(workspace, use):
+            continue
         if use.how == "tests with" and known.declares_for_tests(use.place.file, use.needed):
             continue
         uses = by_package.setdefault(package.relative, [])
@@ -114,6 +118,12 @@ def _is_itself(workspace: WorkspaceIndex, package: Package, needed: str) -> bool
     """Whether a name is one under which the package itself enters ament's index, beside that of its manifest."""
     installs = workspace.installs.get(package.name)
     return installs is not None and installs.folder == package.relative and installs.is_indexed_as(needed)
+
+
+def _is_optional(workspace: WorkspaceIndex, use: Use) -> bool:
+    """Whether a launch file catches that there is no such package, and goes on without it."""
+    code = workspace.facts_at(use.place.file)
+    return code is not None and use.needed in optional_packages(code)
 
 
 def _is_left_out(workspace: WorkspaceIndex, package: Package, use: Use) -> bool:
