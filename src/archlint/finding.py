@@ -101,6 +101,9 @@ class Finding:
     """What a fix would edit; None where no edit of the text can be right, such as for a wait that is wrong where it
     stands, limit or not."""
 
+    fails: bool = field(default=False, compare=False)
+    """Whether what stands at its place raises an exception whenever it is evaluated."""
+
     @property
     def sort_key(self) -> tuple[str, int, int, str, str, str]:
         place = self.place

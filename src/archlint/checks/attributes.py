@@ -94,6 +94,7 @@ def _overwritten(assignment: Overwritten) -> Finding:
         help=f"give the attribute another name, such as self.my_{assignment.name}",
         identity=(assignment.cls, assignment.name),
         group=(OF_CLASS, assignment.place.file, assignment.cls, assignment.name),
+        fails=True,
     )
 
 
@@ -131,6 +132,7 @@ def _action_overwritten(assignment: ActionOverwritten) -> Finding:
         "AttributeError",
         help=f"give it to the constructor: {assignment.action}(…, {assignment.name}=…)",
         identity=(assignment.action, assignment.name),
+        fails=True,
     )
 
 
@@ -144,6 +146,7 @@ def _absent(row: AbsentMember) -> Finding:
         identity=(row.owner, row.name),
         group=(OF_OBJECT, row.place.file, row.owner, row.name),
         meant=row.near,
+        fails=True,
     )
 
 
@@ -188,6 +191,7 @@ def called_property(row: CalledProperty) -> Finding:
         help=row.cure or f"write {row.name} without parentheses",
         identity=(row.owner, row.name),
         group=(OF_OBJECT, row.place.file, row.owner, row.name),
+        fails=True,
     )
 
 
@@ -201,6 +205,7 @@ def _looked_into(row: LookedInto) -> Finding:
         help=f"write {row.owner or '…'}.{call}.{row.name}",
         identity=(row.method, row.name),
         group=(OF_OBJECT, row.place.file, row.method),
+        fails=True,
     )
 
 
@@ -213,6 +218,7 @@ def _indexed(row: IndexedMethod) -> Finding:
         related=[] if row.defined is None else [Related(row.defined, f"{row.method}() is defined here")],
         identity=(row.method, "item"),
         group=(OF_OBJECT, row.place.file, row.method, "item"),
+        fails=True,
     )
 
 
@@ -249,6 +255,7 @@ def _unassigned(workspace: WorkspaceIndex, read: Unassigned) -> Finding:
         identity=(read.cls, name),
         group=_group(read, logs),
         meant=near if near is not None and read.is_slip and not read.local else "",
+        fails=True,
     )
 
 

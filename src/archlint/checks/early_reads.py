@@ -42,6 +42,7 @@ def _finding(read: EarlyRead) -> Finding:
         related=related,
         identity=(read.cls, read.name, "early"),
         group=(TOO_EARLY, read.place.file, read.cls),
+        fails=read.called is None,
     )
 
 

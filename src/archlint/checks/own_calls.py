@@ -65,6 +65,7 @@ def _finding(call: RefusedOwnCall) -> Finding:
         related=[Related(call.defined, f"{name}() is defined here")],
         identity=(call.name, str(wrong.misuse), *wrong.parameters),
         group=(call.place.file, call.name, str(call.defined), str(wrong.misuse), *wrong.parameters),
+        fails=True,
     )
 
 
@@ -169,6 +170,7 @@ def _wrong_length(row: WrongLength) -> Finding:
         related=[Related(row.returned, f"{name}() returns them here")],
         identity=("length", row.name),
         group=(row.place.file, "length", row.name),
+        fails=True,
     )
 
 
@@ -184,6 +186,7 @@ def _of_bare_super(place: Place) -> Finding:
         help="write super().__init__(…)",
         identity=("super.__init__",),
         group=(place.file, "super.__init__"),
+        fails=True,
     )
 
 

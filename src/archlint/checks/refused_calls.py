@@ -110,6 +110,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
             identity=(call.api,),
             group=(OF_ROS_1, call.place.file) if is_of_ros_1(unported, call.place.file) else _group(call, logs),
             meant=call.wanted,
+            fails=True,
         )
         yield from [diagnostic] if call.wanted else unless_uncalled(system, diagnostic)
 
@@ -251,11 +252,16 @@ def _is_refused(call: RefusedCall, distros: tuple[str, ...]) -> bool:
     return refusing.issuperset(distros)
 
 
+_FAILS = "fails"
+_WHATEVER_IS_GIVEN = frozenset({Misuse.MISSING, Misuse.TOO_MANY, Misuse.TWICE, Misuse.UNKNOWN_KEYWORD})
+"""What is wrong with a call as it is written: another way to it may bring other values, but no other arguments."""
+
+
 def _finding(call: RefusedCall) -> Finding:
     name = name_of_call(call.api)
     inherited = _is_inherited_constructor(call)
     no_node = call.misuse is Misuse.KIND and call.parameters == ("node",)
-    outcome = "starts nothing" if _is_called_for_thread(call) else "fails"
+    outcome = "starts nothing" if _is_called_for_thread(call) else _FAILS
     return finding(
         "API001",
         call.place,
@@ -269,6 +275,7 @@ def _finding(call: RefusedCall) -> Finding:
             str(call.misuse),
             *call.parameters,
         ),
+        fails=outcome == _FAILS and call.misuse in _WHATEVER_IS_GIVEN,
     )
 
 

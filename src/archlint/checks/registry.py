@@ -191,6 +191,7 @@ def finding(
     group: Sequence[str] = (),
     meant: str = "",
     sites: Sites | None = None,
+    fails: bool = False,
 ) -> Finding:
     """A finding of a rule, with the rule's name and severity from its page."""
     page = rules()[code]
@@ -207,6 +208,7 @@ def finding(
         group=tuple(group),
         meant=meant,
         sites=sites,
+        fails=fails,
     )
 
 

@@ -34,6 +34,7 @@ def _of_clocks(row: MixedClocks) -> Finding:
         help="take both of one clock: Time(…, clock_type=ClockType.ROS_TIME) is like what the node's clock gives",
         identity=(row.op, row.left, row.right),
         group=(row.place.file, OPERATOR, row.op, row.left, row.right),
+        fails=True,
     )
 
 
@@ -46,6 +47,7 @@ def _of_number(row: NumberForTime) -> Finding:
         help=f"pass {cure}",
         identity=(row.call, row.parameter),
         group=(row.place.file, row.call, row.parameter),
+        fails=True,
     )
 
 
@@ -58,6 +60,7 @@ def _finding(row: RefusedOperator) -> Finding:
         help=_cure(row),
         identity=(row.op, left, right),
         group=(row.place.file, OPERATOR, row.op, left, right),
+        fails=True,
     )
 
 

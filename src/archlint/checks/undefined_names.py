@@ -89,6 +89,7 @@ def _outside_of_classes(method: StrayMethod) -> Finding:
         related=[Related(method.definition, f"{method.name}() begins here")],
         identity=(method.name, "stray"),
         group=(method.call.file, method.name, "stray"),
+        fails=True,
     )
 
 
@@ -123,6 +124,7 @@ def _without_value(read: UnboundLocal) -> Finding:
         related=[Related(read.assigned, "it makes the name a variable of this function, wherever else it has a value")],
         identity=(read.name, _EARLY),
         group=(read.place.file, read.name, _EARLY),
+        fails=True,
     )
 
 
@@ -136,6 +138,7 @@ def _in_own_assignment(read: UnboundLocal) -> Finding:
         help=f"give {read.name} a value before",
         identity=(read.name, _EARLY),
         group=(read.place.file, read.name, _EARLY),
+        fails=True,
     )
 
 
@@ -149,6 +152,7 @@ def _hiding(read: UnboundLocal) -> Finding:
         related=[Related(read.assigned, "it makes the name a variable of this function, wherever else it has a value")],
         identity=(read.name, _EARLY),
         group=(read.place.file, read.name, _EARLY),
+        fails=True,
     )
 
 
@@ -200,6 +204,7 @@ def _without_self(read: Undefined) -> Finding:
         help=f"write `def {read.without_self}(self):`{cure}",
         identity=(read.name,),
         group=(read.place.file, read.without_self, _WITHOUT_SELF),
+        fails=True,
     )
 
 
@@ -215,6 +220,7 @@ def _unbound_local(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         help=f"write `global {read.name}` in the function" if is_global else _cure_of(read),
         identity=(read.name, "local"),
         group=(read.place.file, read.name, "local"),
+        fails=True,
     )
 
 
@@ -265,6 +271,7 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         identity=(read.name,),
         group=(read.place.file, _IMPORTS if statement else read.name),
         meant=near,
+        fails=True,
     )
 
 

@@ -81,6 +81,7 @@ def _misused(row: MisusedKind, code: str) -> Finding:
         related=[Related(row.assigned, f"this is what {row.what} gets")],
         identity=(row.what, row.misuse, row.name),
         group=(OF_MODULE if code == "API002" else row.place.file, PLAIN, row.place.file, row.what, row.kind),
+        fails=True,
     )
 
 
@@ -108,6 +109,7 @@ def _parameter(row: WrongParameter) -> Finding:
         help=f"give a value of the type {row.type}, or the type of the value",
         identity=("Parameter", row.type),
         group=(row.place.file, "Parameter", row.type),
+        fails=True,
     )
 
 
@@ -120,6 +122,7 @@ def _default(row: RefusedDefault) -> Finding:
         help=cure,
         identity=("declare_parameter", row.value),
         group=(row.place.file, "declare_parameter", row.value),
+        fails=True,
     )
 
 
@@ -132,6 +135,7 @@ def _hidden(row: HiddenMessage) -> Finding:
         related=[Related(row.hiding, "this import hides the other"), Related(row.hidden, "this one is hidden")],
         identity=(row.name, row.module),
         group=(row.place.file, "hidden", row.name),
+        fails=True,
     )
 
 

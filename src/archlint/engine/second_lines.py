@@ -1,0 +1,35 @@
+"""Findings about lines to which no run comes: another finding says that a line before them fails."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from archlint.analysis.behind_failures import BehindFailures
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+    from archlint.systems.model import WorkspaceIndex
+
+_AT_THE_END = frozenset({"EXE015", "EXE016"})
+"""Rules that tell how a program ends."""
+_OF_LINES = frozenset({"API001", "API002", "API005", "MSG001", "MSG003"})
+"""Rules that tell which line raises an exception, or sends something else.  Two such lines of one function are two
+mistakes, whichever of them is reached."""
+
+
+def without_second_lines(index: WorkspaceIndex, findings: Iterable[Finding]) -> list[Finding]:
+    """The findings but for those about what no run comes to, as another of them says that a line before it always
+    fails: how a program ends behind that line, and what is wrong in a function that is called there alone."""
+    every = list(findings)
+    behind = BehindFailures(index, [finding.place for finding in every if finding.fails])
+    return [finding for finding in every if not _is_second(finding, behind)]
+
+
+def _is_second(finding: Finding, behind: BehindFailures) -> bool:
+    if finding.code in _AT_THE_END:
+        return behind.skips(finding.place)
+    return finding.code in _OF_LINES and behind.leaves_out(finding.place)
+
+
+__all__ = ["without_second_lines"]
