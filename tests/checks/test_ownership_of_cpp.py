@@ -183,3 +183,102 @@ def test_a_component_that_is_loaded_twice_says_the_same(
         file.write_text(text)
     monkeypatch.chdir(tmp_path)
     assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
+
+
+TURNS = """
+#include "rclcpp/rclcpp.hpp"
+#include "rclcpp_action/rclcpp_action.hpp"
+#include "std_msgs/msg/int32.hpp"
+#include "std_msgs/msg/float64.hpp"
+#include "geometry_msgs/msg/twist.hpp"
+#include "nav2_msgs/action/follow_path.hpp"
+#include "std_srvs/srv/set_bool.hpp"
+using FollowPath = nav2_msgs::action::FollowPath;
+using Handle = rclcpp_action::ServerGoalHandle<FollowPath>;
+class Driver : public rclcpp::Node {{
+public:
+  Driver();
+private:
+  void on_select(const std_msgs::msg::Int32::SharedPtr message);
+  void on_speed(const std_msgs::msg::Float64::SharedPtr message);
+  void on_enable(
+    const std::shared_ptr<std_srvs::srv::SetBool::Request> request,
+    std::shared_ptr<std_srvs::srv::SetBool::Response>) {{ enabled_ = request->data; }}
+  rclcpp_action::GoalResponse on_goal(const rclcpp_action::GoalUUID &, std::shared_ptr<const FollowPath::Goal>)
+  {{
+    return rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;
+  }}
+  rclcpp_action::CancelResponse on_cancel(const std::shared_ptr<Handle>)
+  {{
+    return rclcpp_action::CancelResponse::ACCEPT;
+  }}
+  void on_accepted(const std::shared_ptr<Handle> handle) {{ goal_ = handle; }}
+  void loop();
+  void drive();
+  int selected_ = 0;
+  bool enabled_ = false;
+  double speed_ = 0.0;
+  std::shared_ptr<Handle> goal_;
+  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr commands_;
+  rclcpp::Subscription<std_msgs::msg::Int32>::SharedPtr select_;
+  rclcpp::Subscription<std_msgs::msg::Float64>::SharedPtr limit_;
+  rclcpp::Service<std_srvs::srv::SetBool>::SharedPtr enable_;
+  rclcpp_action::Server<FollowPath>::SharedPtr server_;
+  rclcpp::TimerBase::SharedPtr timer_;
+}};
+Driver::Driver() : Node("{name}")
+{{
+  using std::placeholders::_1;
+  using std::placeholders::_2;
+  commands_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
+  select_ = create_subscription<std_msgs::msg::Int32>("{select}", 10, std::bind(&Driver::on_select, this, _1));
+  limit_ = create_subscription<std_msgs::msg::Float64>("speed", 10, std::bind(&Driver::on_speed, this, _1));
+  enable_ = create_service<std_srvs::srv::SetBool>("~/enable", std::bind(&Driver::on_enable, this, _1, _2));
+  server_ = rclcpp_action::create_server<FollowPath>(
+    this, "{name}/follow", std::bind(&Driver::on_goal, this, _1, _2), std::bind(&Driver::on_cancel, this, _1),
+    std::bind(&Driver::on_accepted, this, _1));
+  timer_ = create_wall_timer(std::chrono::milliseconds(100), std::bind(&Driver::loop, this));
+}}
+void Driver::on_select(const std_msgs::msg::Int32::SharedPtr message) {{ selected_ = message->data; }}
+void Driver::on_speed(const std_msgs::msg::Float64::SharedPtr message) {{ speed_ = message->data; }}
+void Driver::loop() {{ {loop} }}
+void Driver::drive()
+{{
+  geometry_msgs::msg::Twist command;
+  command.linear.x = 0.5;
+  commands_->publish(command);
+}}
+int main(int argc, char ** argv) {{ rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Driver>()); }}
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "told"),
+    [
+        ("drive();", "drive();", 1),
+        ("if (selected_ != 0) { return; } drive();", "if (selected_ == 1) { drive(); }", 0),
+        ("if (selected_ != 0) { return; } drive();", "drive();", 1),
+        ("if (speed_ < 0.1) { return; } drive();", "if (speed_ < 0.1) { return; } drive();", 1),
+        ("if (!enabled_) return; drive();", "if (!this->enabled_) return; drive();", 0),
+        ("if (!goal_) return; drive();", "if (goal_ == nullptr) return; drive();", 0),
+        ("if (!goal_) return; drive();", "drive();", 1),
+        ("commands_->publish(geometry_msgs::msg::Twist()); if (!goal_) return; drive();", "if (goal_) drive();", 0),
+    ],
+)
+def test_nodes_that_ask_whose_turn_it_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, first: str, second: str, told: int
+):
+    for name, loop in (("one", first), ("two", second)):
+        files = {
+            "package.xml": manifest(name, build_type="ament_cmake"),
+            "CMakeLists.txt": CMAKE.format(name=name),
+            f"src/{name}.cpp": TURNS.format(name=name, loop=loop, select="select"),
+            "launch/both.launch.xml": LAUNCH,
+        }
+        for path, text in files.items():
+            file = tmp_path / name / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "archlint.toml").write_text('select = ["OWN001"]')
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told

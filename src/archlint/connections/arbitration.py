@@ -24,7 +24,7 @@ from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Endpoint, Node
 
 _PUBLISH = "rclpy.publisher.Publisher.publish"
@@ -35,6 +35,10 @@ _HALTS = frozenset(
     {"collision", "emergency", "estop", "fault", "halt", "kill", "obstacle", "obstacles", "pause", "safety", "stop"}
 )
 """Words for what makes every publisher stop: that does not choose one of them."""
+_TELL = (EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTION_SERVER)
+"""What others can tell a node by."""
+_OF_ONE_NODE = frozenset({EntityKind.SERVICE, EntityKind.ACTION_SERVER})
+"""What is there for one node alone: whoever asks it for something has chosen that node."""
 _ONCE = frozenset({Role.INIT, Role.MAIN, Role.MODULE})
 
 _Word = tuple[EntityKind, str]
@@ -43,7 +47,7 @@ _Word = tuple[EntityKind, str]
 
 def take_turns(system: System, owners: Sequence[Endpoint]) -> bool:
     """Whether each publisher asks a word that it is given before it publishes: the same topic as the others, which one
-    of them may give instead of asking it, or a service of its own that turns it on and off."""
+    of them may give instead of asking it, or a service of its own that turns it on and off, or a goal of its own."""
     asked = [(owner.node, _asks(system, owner)) for owner in owners]
     givers = {id(node): node for node, words in asked if not words}
     if len(givers) > 1:
@@ -52,7 +56,7 @@ def take_turns(system: System, owners: Sequence[Endpoint]) -> bool:
     common = frozenset.intersection(*asking) if asking else frozenset()
     for giver in givers.values():
         return bool(common & _gives(giver))
-    return bool(common) or all(any(kind == EntityKind.SERVICE for kind, _ in words) for words in asking)
+    return bool(common) or all(any(kind in _OF_ONE_NODE for kind, _ in words) for words in asking)
 
 
 def speaks_once(system: System, owner: Endpoint) -> bool:
@@ -98,7 +102,7 @@ def _is_stop(call: facts.Call) -> bool:
 
 def _is_new(value: facts.Expr) -> bool:
     """Whether a value is an object as its class makes it."""
-    return isinstance(value, facts.Call) and not value.args and called_name(value)[:1].isupper()
+    return isinstance(value, facts.Call) and not value.args and called_name(value).rpartition("::")[2][:1].isupper()
 
 
 def _is_for_a_reason(code: SourceCode, call: ApiCall) -> bool:
@@ -159,6 +163,8 @@ def _publishes(system: System) -> dict[Place, list[ApiCall]]:
 
 def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     """The words that a publisher asks; none where it publishes anything without asking, or where that is not seen."""
+    if system.workspace is not None and system.workspace.code.kind_of(owner.place.file) == "cpp":
+        return _asks_in_cpp(system, system.workspace, owner)
     by_attribute, workspace, file = (
         _attribute_words(source_code(system), owner.node),
         system.workspace,
@@ -174,7 +180,7 @@ def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     code = source_code(system)
     answers = {
         function.name: (end.kind, end.name)
-        for end in owner.node.of_kind(EntityKind.SUBSCRIBER, EntityKind.SERVICE)
+        for end in owner.node.of_kind(*_TELL)
         for function in map(code.definition, end.creation.callbacks.values())
         if function is not None and end.name is not None
     }
@@ -182,6 +188,31 @@ def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     idle = idle_methods(workspace, file)
     called = [item for item in cls.body if isinstance(item, facts.Function) and item.name not in idle]
     return _Source(called, here, answers).before(kept, owner.place.line)
+
+
+def _asks_in_cpp(system: System, workspace: WorkspaceIndex, owner: Endpoint) -> frozenset[_Word]:
+    """The words that a publisher of C++ asks before each of its calls, or before the methods that lead there; in a
+    word's own callback it need not ask."""
+    code = SourceCode(workspace.code.cpp_facts_at)
+    by_attribute: dict[str, set[_Word]] = {}  # a class may be in several files
+    for (_, name), set_by in _attribute_words(code, owner.node).items():
+        by_attribute.setdefault(name, set()).update(set_by)
+    words: set[_Word] = set()
+    silent: list[ApiCall] = []
+    for call in publishes_of(system, owner) if by_attribute else ():
+        places = [call.place, *(frame.place for frame in call.chain)]
+        tests = [test for place in places for test in _guards(code.body_at(place), place.span)]
+        asked = {word for test in tests for name in _of_self(test) for word in by_attribute.get(name, ())}
+        words |= asked
+        if not asked and not _is_stop_at(code, call):
+            silent.append(call)
+    answers = {
+        callback.place
+        for end in owner.node.of_kind(*_TELL)
+        for callback in end.creation.callbacks.values()
+        if (end.kind, end.name) in words
+    }
+    return frozenset(words if all(call.context.place in answers for call in silent) else ())
 
 
 class _Source:
@@ -238,10 +269,11 @@ def _class_around(file_facts: facts.Facts, place: Place) -> facts.Class | None:
 
 
 def _attribute_words(code: SourceCode, node: Node) -> dict[tuple[str, str], set[_Word]]:
-    """The attributes of ``self``, with their file, that callbacks for such words set."""
+    """The attributes of ``self``, with their file, that callbacks for such words set, or for goals."""
     words: dict[tuple[str, str], set[_Word]] = {}
-    for end in node.of_kind(EntityKind.SUBSCRIBER, EntityKind.SERVICE):
-        if end.type not in WORDS or end.name is None or _halts(end.name):
+    for end in node.of_kind(*_TELL):
+        is_word = end.type in WORDS or end.kind is EntityKind.ACTION_SERVER
+        if not is_word or end.name is None or _halts(end.name):
             continue
         for callback in end.creation.callbacks.values():
             for attribute in _sets(code.definition(callback)):
@@ -257,7 +289,7 @@ def _sets(function: facts.Function | None) -> set[str]:
     """The attributes of ``self`` that a callback sets, or passes to a function together with its message."""
     if function is None or not function.params:
         return set()
-    message = {param.name for param in function.params[1:]}
+    message = {param.name for param in function.params} - {"self"}
     attributes: set[str] = set()
     for statement in statements_of(function.body, facts.Assign):
         attributes.update(name for target in statement.targets for name in _of_self(target))
@@ -269,7 +301,10 @@ def _sets(function: facts.Function | None) -> set[str]:
 
 
 def _of_self(expression: facts.Base) -> Iterator[str]:
-    return (part.attr for part in parts_of(expression, facts.Attribute) if part.value.variable == "self")
+    """The attributes of ``self`` that an expression has, in C++ by their names alone."""
+    for part in parts_of(expression):
+        if isinstance(part, facts.Implicit) or (isinstance(part, facts.Attribute) and part.value.variable == "self"):
+            yield part.attribute
 
 
 def _guards(body: Sequence[facts.Stmt], span: facts.Span) -> Iterator[facts.Expr]:
