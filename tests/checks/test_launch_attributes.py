@@ -139,6 +139,8 @@ def generate_launch_description():
         ("start_dashing.launch.py", 0),
         ("dashing_start.launch.py", 0),
         ("dashing_walk.launch.py", 1),
+        ("run_dashing.launch.py", 0),
+        ("walk_dashing.launch.py", 1),
         ("arm.launch.py", 1),
     ],
 )
@@ -150,7 +152,7 @@ from launch_ros.actions import Node
 def generate_launch_description():
     return LaunchDescription([Node(package='robot', KEYWORD='talker')])
 """
-    newer = {"launch/start.launch.py": text.replace("KEYWORD", "executable")}
+    newer = {f"launch/{name}.launch.py": text.replace("KEYWORD", "executable") for name in ("start", "run_galactic")}
     assert len(findings("LCH005", **newer, **{f"launch/{old}": text.replace("KEYWORD", "node_executable")})) == told
 
 
