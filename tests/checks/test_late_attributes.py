@@ -301,3 +301,148 @@ def test_a_condition_that_holds_with_what_the_constructor_assigns(judge: Judge):
 @pytest.mark.parametrize("first", ["self.speed = 'slow' if self.speed is None else 'fast'", "self.choose()"])
 def test_a_condition_for_a_state_that_the_callback_has_set_by_then(judge: Judge, first: str):
     judge("API002", _node(TIMER, *STEERS.format(first=first).splitlines(), *CHOOSES))
+
+
+# ------------------------------------------------------------------------------------- None until a callback has run
+
+EMPTY = """
+import math
+
+import rclpy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from rclpy.node import Node
+
+
+class Pilot(Node):
+    def __init__(self):
+        super().__init__('pilot')
+        self.odom = None
+        self.cmd: Twist | None = None
+        self.start, self.ready = None, False
+        self.pub = self.create_publisher(Twist, 'command', 10)
+        self.sub = self.create_subscription(Odometry, 'odom', self.on_odom, 10)
+        self.timer = self.create_timer(0.1, self.steer)
+
+    def on_odom(self, msg):
+        self.odom, self.cmd, self.ready = msg, Twist(), True
+        {odom}
+
+    def steer(self):
+        {steer}
+
+    def is_ready(self):
+        return self.odom is not None
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Pilot())
+
+
+main()
+"""
+
+
+def _empty(steer: str, odom: str = "pass") -> str:
+    return EMPTY.replace("{steer}", steer.replace("\n", "\n        ")).replace("{odom}", odom)
+
+
+def test_a_timer_that_uses_what_is_none_before_the_first_message(judge: Judge):
+    (finding,) = judge("API002", _empty("print(self.odom.pose.pose.position.x)  # here"))
+    assert finding.message == (
+        "self.odom is None until on_odom() has run: this line fails with an AttributeError if the timer's callback "
+        "steer() comes here first"
+    )
+    assert finding.help == "do without self.odom here as long as it is None"
+    assert finding.severity is Severity.WARNING
+    assert [row.place.line for row in finding.related] == [20]
+
+
+@pytest.mark.parametrize(
+    "use",
+    [
+        "print(self.odom[0])",
+        "print(self.odom())",
+        "print(self.odom + 1)",
+        "print(2.0 * self.odom)",
+        "print(-self.odom)",
+        "print(self.odom > 1.0)",
+        "print(len(self.odom), f'{self.odom}')",
+        "print(f'{self.odom:.2f}')",
+        "print(math.cos(self.odom))",
+        "self.odom += 1.0",
+        "self.pub.publish(self.odom)",
+        "self.pub.publish(self.cmd)",
+        "if self.cmd.linear.x > 1.0:",
+    ],
+)
+def test_what_fails_for_none(judge: Judge, use: str):
+    body = "\n    pass" if use.endswith(":") else ""
+    (finding,) = judge("API002", _empty(f"{use}  # here{body}"))
+    assert ("a TypeError" in finding.message) == (".linear" not in use)
+
+
+@pytest.mark.parametrize(
+    "steer",
+    [
+        "print(self.odom, f'{self.odom}', '%s' % self.odom, self.odom == 1, str(self.odom), self.odom is None)",
+        "if self.odom is not None:\n    print(self.odom.pose)",
+        "if self.odom is None:\n    return\nprint(self.odom.pose)",
+        "if not self.odom:\n    return\nprint(self.odom.pose)",
+        "if not self.ready:\n    return\nprint(self.odom.pose)",
+        "if not self.is_ready():\n    return\nprint(self.odom.pose)",
+        "if self.cmd is None:\n    return\nprint(self.odom.pose)",
+        "if None in (self.odom, self.cmd):\n    return\nprint(self.odom.pose)",
+        "if not all(each is not None for each in (self.odom, self.cmd)):\n    return\nprint(self.odom.pose)",
+        "print(self.odom.pose if self.odom else 0.0)",
+        "print(self.odom and self.odom.pose)",
+        "print([self.odom.pose for _ in range(2) if self.odom])",
+        "odom = self.odom\nif odom is None:\n    return\nprint(self.odom.pose)",
+        "assert self.odom is not None\nprint(self.odom.pose)",
+        "try:\n    print(self.odom.pose)\nexcept AttributeError:\n    pass",
+        "try:\n    print(self.odom + 1)\nexcept TypeError:\n    pass",
+        "try:\n    print(self.odom + 1)\nexcept Exception:\n    pass",
+        "try:\n    print(self.odom + 1)\nexcept:\n    pass",
+        "self.odom = self.odom or Odometry()\nprint(self.odom.pose)",
+        "if self.odom is None:\n    self.odom = Odometry()\nprint(self.odom.pose)",
+        "self.odom.__class__",
+        "def later():\n    print(self.odom.pose)\nself.later = later",
+    ],
+)
+def test_what_asks_for_none_or_does_not_mind(judge: Judge, steer: str):
+    judge("API002", _empty(steer))
+
+
+def test_a_callback_that_uses_what_it_assigns_only_afterwards(judge: Judge):
+    use = "dt = msg.header.stamp.sec - self.start  # here\n        self.start = msg.header.stamp.sec\n        print(dt)"
+    (finding,) = judge("API002", _empty("pass", use))
+    assert finding.message == (
+        "on_odom() uses self.start before anything but None is assigned: the first time that is a TypeError"
+    )
+    assert finding.severity is Severity.ERROR
+
+
+def test_a_first_time_that_is_told_apart(judge: Judge):
+    use = "if self.start is None:\n            self.start = 1\n        print(msg.header.stamp.sec - self.start)"
+    judge("API002", _empty("pass", use))
+
+
+@pytest.mark.parametrize("first", ["self.odom = Odometry()", "self.reset()"])
+def test_what_the_constructor_fills(judge: Judge, first: str):
+    source = _empty("print(self.odom.pose)").replace("self.pub =", f"{first}\n        self.pub =", 1)
+    judge(
+        "API002",
+        source + "\n"
+        if "reset" not in first
+        else source.replace(
+            "    def is_ready(self):", "    def reset(self):\n        self.odom = Odometry()\n\n    def is_ready(self):"
+        ),
+    )
+
+
+def test_what_the_program_gives_the_node(judge: Judge):
+    source = _empty("print(self.odom.pose)").replace(
+        "    rclpy.spin(Pilot())", "    node = Pilot()\n    node.odom = Odometry()\n    rclpy.spin(node)"
+    )
+    judge("API002", source)

@@ -46,6 +46,7 @@ def _unspun(read: UnspunRead) -> Finding:
     )
 
 
+_ERRORS = {"AttributeError": "an AttributeError", "TypeError": "a TypeError"}
 _FIRST = {
     None: "its __init__() comes here",
     Called.TIMER: "the timer's callback {} comes here",
@@ -60,6 +61,8 @@ def _finding(read: LateRead) -> Finding:
     if read.late is Late.NEVER:
         told = f"only {setter} assigns self.{read.name}, and nothing calls it: this line fails with an AttributeError"
         help += f", or call or register {setter}"
+    elif read.error:
+        told, help = _of_none(read)
     elif read.late is Late.AFTERWARDS:
         told = f"{reader} reads self.{read.name} before anything assigns it: the first time that is an AttributeError"
     else:
@@ -77,6 +80,22 @@ def _finding(read: LateRead) -> Finding:
     )
     is_certain = read.is_sure and (read.late is not Late.CALLED or read.role is None)
     return diagnostic if is_certain else replace(diagnostic, severity=Severity.WARNING)
+
+
+def _of_none(read: LateRead) -> tuple[str, str]:
+    """What is said of an attribute that is None at first."""
+    error, reader = _ERRORS[read.error], f"{read.reader}()"
+    help = f"do without self.{read.name} here as long as it is None"
+    if read.late is Late.AFTERWARDS:
+        return (
+            f"{reader} uses self.{read.name} before anything but None is assigned: the first time that is {error}",
+            help,
+        )
+    first = _FIRST[read.role].format(reader)
+    return (
+        f"self.{read.name} is None until {read.setter}() has run: this line fails with {error} if {first} first",
+        help,
+    )
 
 
 __all__ = ["TOO_LATE", "late_attribute_findings"]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -23,6 +24,7 @@ from archlint.python_code.class_chains import (
     targets_of,
 )
 from archlint.python_code.early_attribute_reads import gives, is_of_class
+from archlint.python_code.empty_attributes import empty_at_first, failing_uses
 from archlint.python_code.methods_at_work import INIT, Called, MethodsAtWork, methods_at_work, never_returns, of_self
 from archlint.python_code.sure_reads import SureRead, sure_reads
 from archlint.python_code.unassigned_attributes import (
@@ -73,6 +75,8 @@ class LateRead:
     is_sure: bool
     is_unshared: bool
     """Whether no other code has the object, so that none calls its methods."""
+    error: str = ""
+    """What is raised where the constructor assigns None; empty where it assigns nothing."""
 
 
 @dataclass(frozen=True)
@@ -88,6 +92,7 @@ class _Row:
     assigned: facts.Span
     is_sure: bool
     alone: frozenset[str]
+    error: str = ""
 
 
 def late_attributes(workspace: WorkspaceIndex) -> Iterator[LateRead]:
@@ -107,6 +112,7 @@ def late_attributes(workspace: WorkspaceIndex) -> Iterator[LateRead]:
                     at(*row.assigned),
                     row.is_sure,
                     is_unshared(workspace, cls),
+                    row.error,
                 )
 
 
@@ -167,12 +173,28 @@ def _late(code: facts.Class) -> list[_Row]:
     others = {*names_of_body(code), *asked_in(code)}
     late = {name: where for name, where in setters.items() if name not in others and early.isdisjoint(where) and where}
     rows = {row.name: row for row in _never(work, late)}
-    for reader, role in _readers(code, work, early) if late else ():
-        for read in sure_reads(work, reader, frozenset(late)):
-            row = _row(work, reader, role, read, setters)
+    empty = _empty(code, {name: where for name, where in setters.items() if name not in others}, early)
+    failing = failing_uses(code, frozenset(empty)) if empty else {}
+    setters.update(empty)
+    for reader, role in _readers(code, work, early) if late or empty else ():
+        for read in sure_reads(work, reader, frozenset((*late, *empty))):
+            use = failing.get(read.span)
+            row = None if read.name in empty and use is None else _row(work, reader, role, read, setters)
             if row is not None:
-                rows.setdefault(row.name, row)
+                rows.setdefault(row.name, row if use is None else replace(row, error=use.error))
     return [*rows.values()]
+
+
+def _empty(
+    code: facts.Class, setters: Mapping[str, dict[str, facts.Span]], early: set[str]
+) -> dict[str, dict[str, facts.Span]]:
+    """The methods that assign each attribute which is None as long as the constructor alone has run."""
+    later: dict[str, dict[str, facts.Span]] = {}
+    for name in empty_at_first(code):
+        where = {method: span for method, span in setters.get(name, {}).items() if method != INIT}
+        if where and early.isdisjoint(where):
+            later[name] = where
+    return later
 
 
 @dataclass(frozen=True)
