@@ -212,3 +212,89 @@ def test_a_main_that_nothing_calls(tmp_path: Path, monkeypatch, rest: str, entry
             encoding="utf-8",
         )
         assert labels() == ["error"]
+
+
+HELPERS = """\
+from rclpy.node import Node
+
+
+def slow(node: Node, speed):
+    return speed * factor
+
+
+def slower(node: Node, speed):
+    return slow(node, speed)
+"""
+STARTS = """\
+def generate_launch_description():
+    slow(None, 1.0)
+    return launch.LaunchDescription([])
+"""
+USES_HELPERS = CAR.replace("car.brake import Brake", "car.brake import Brake\nfrom car.helpers import slow")
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({}, False),
+        ({"car/drive.py": USES_HELPERS}, False),
+        ({"car/drive.py": USES_HELPERS.replace("self.brake.press()", "# slow(self, 1.0)")}, False),
+        ({"car/drive.py": USES_HELPERS.replace("self.brake.press()", "slow(self, 1.0)")}, True),
+        ({"car/drive.py": USES_HELPERS.replace("import slow", "import slow as halt")}, True),
+        ({"car/drive.py": USES_HELPERS.replace("import slow", "import slower\nHOW = [slower]")}, True),
+        ({"car/drive.py": USES_HELPERS.replace("self.brake.press()", "getattr(helpers, 'slow')(self, 1.0)")}, True),
+        (
+            {"start.launch.py": "import launch\n\nPROGRAM = ('helpers', 'slow')\n\n\n" + STARTS.replace("slow", "str")},
+            False,
+        ),
+        ({"start.launch.py": "import launch\nfrom car.helpers import slow\n\n\n" + STARTS}, True),
+        ({"car/drive.py": CAR.replace("self.brake.press()", "slow = self.brake.press()")}, False),
+        ({"car/helpers.py": HELPERS.replace("def slow(", "@noted\ndef slow(")}, True),
+        ({"setup.py": SETUP.replace(":main']", ":main', 'slow = car.helpers:slow']")}, True),
+        ({"setup.py": LIBRARY}, True),
+    ],
+    ids=[
+        "nothing calls it",
+        "it is imported",
+        "its call is a comment",
+        "it is called",
+        "it is imported under another name",
+        "what calls it is passed on",
+        "it is called by its name",
+        "a launch file has its name in a text",
+        "a launch file calls it",
+        "another file has a variable of that name",
+        "a decorator may note it",
+        "a program",
+        "a library",
+    ],
+)
+def test_a_function_that_nothing_calls(tmp_path: Path, monkeypatch, files: dict[str, str], told: bool):
+    own = {"package.xml": manifest("car"), "setup.py": SETUP, "car/__init__.py": "", "car/brake.py": BRAKE}
+    own |= {"car/drive.py": CAR, "car/helpers.py": HELPERS, "archlint.toml": 'select = ["API005"]\n'}
+    for name, text in {**own, **files}.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert len([row for row in rows if "'factor'" in row.message]) == told
+
+
+@pytest.mark.parametrize(("called", "told"), [("press", False), ("steer", True)])
+def test_a_slip_in_a_method_that_only_an_uncalled_one_leads_to(tmp_path: Path, monkeypatch, called: str, told: bool):
+    brake = BRAKE.replace("self.node = node", "self.odometer = node").replace("self.node.get", "self.odometer.get")
+    brake += "\n    def steer(self):\n        return self.force(1.0)\n"
+    files = {
+        "package.xml": manifest("car"),
+        "setup.py": SETUP,
+        "car/__init__.py": "",
+        "car/drive.py": CAR.replace("brake.press", f"brake.{called}"),
+        "car/brake.py": brake.replace("self.odometry", "self.odometre"),
+        "archlint.toml": 'select = ["API002"]\n',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [row.meant for row in rows] == ["odometer"] * told

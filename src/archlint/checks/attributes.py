@@ -83,7 +83,7 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     for read in unassigned_attributes(system.workspace):
         if (read.place.file, read.name) not in told:
             diagnostic = _unassigned(system.workspace, read)
-            yield from [diagnostic] if read.is_slip or read.local else unless_uncalled(system, diagnostic)
+            yield from [diagnostic] if read.local else unless_uncalled(system, diagnostic)
 
 
 def _overwritten(assignment: Overwritten) -> Finding:

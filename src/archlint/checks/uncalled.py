@@ -10,6 +10,7 @@ from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.idle_helpers import is_idle_helper
 from archlint.analysis.kept_defaults import needs_another_default
 from archlint.analysis.replaced_methods import is_replaced
+from archlint.analysis.uncalled_functions import uncalled_function
 from archlint.analysis.uncalled_methods import is_in_trial, uncalled_main, uncalled_method
 from archlint.analysis.unmet_choices import is_never_chosen
 
@@ -44,13 +45,16 @@ _NEVER_REACHED = (
 
 
 def uncalled_in_program(system: System, place: Place) -> str | None:
-    """The name of the method of a program, or of a module that only programs of its own package may use, that holds a
-    place, where nothing calls it but methods of that kind; ``main`` of a module that nothing starts."""
+    """The name of the method or function of a program, or of a module that only programs of its own package may use,
+    that holds a place, where nothing calls it but others of that kind; ``main`` of a module that nothing starts."""
     is_program = any(program.executable and program.file == place.file for program in system.programs)
     is_program = is_program or is_not_installed(system.workspace, place.file) or _is_of_programs(system, place.file)
     if not is_program:
         return None
-    return uncalled_method(system.workspace, place) or uncalled_main(system.workspace, place)
+    for uncalled in (uncalled_method, uncalled_main, uncalled_function):
+        if (name := uncalled(system.workspace, place)) is not None:
+            return name
+    return None
 
 
 def _is_of_programs(system: System, file: str) -> bool:
