@@ -579,3 +579,31 @@ def test_a_node_that_a_helper_makes_and_main_keeps(findings):
     before, _, _ = TALKER.partition("\ndef main")
     text = before + HANDED.format(line="pass").replace("car = read()", "asker = make()")
     assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == 1
+
+
+def test_one_line_that_starts_a_node_several_times(findings):
+    """Of its own accord, or because its file is included in a loop."""
+    many = """
+import os
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    file = os.path.join(os.path.dirname(__file__), 'one.launch.xml')
+    return LaunchDescription([ACTION for _ in range(2)])
+"""
+    one = {"launch/one.launch.xml": f"<launch>\n{node(name='it')}\n</launch>"}
+    included = many.replace("ACTION", "IncludeLaunchDescription(file)")
+    (told,) = findings("NME004", "", **one, **{"launch/many.launch.py": included})
+    assert (told.message, told.place.file) == (
+        "this line starts several nodes with the name '/it'",
+        "launch/one.launch.xml",
+    )
+    (row,) = told.related
+    assert (row.message, row.place.file) == ("its file is included here", "launch/many.launch.py")
+    looped = many.replace("ACTION", "Node(package='robot', executable='talker', name='it')")
+    (told,) = findings("NME004", "", **one, **{"launch/many.launch.py": looped})
+    assert told.message == "this line creates several actions, and each starts a node with the name '/it'"
+    assert not told.related

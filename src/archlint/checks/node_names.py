@@ -131,6 +131,8 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         shared = f"two launch actions start nodes with the same names: {', '.join(names)}"
     if first.launch_place == here:
         shared = f"this line creates several actions, and each starts a node with the name '{names[0]}'"
+        if _includes_of(first.started, other.started):
+            shared = f"this line starts several nodes with the name '{names[0]}'"
     late = all(twin.started is not None and twin.started.without_namespace for twin in (first, other))
     if late:
         shared = f"{shared}: the namespace of the group around it is gone when its timer or event handler starts it"
@@ -155,6 +157,7 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
             *([Related(first.launch_place, "the other one is started here")] if first.launch_place != here else []),
             *(Related(place, "another one is started here") for place in more),
             *_includes_apart(first.started, other.started),
+            *(Related(place, "its file is included here") for place in _includes_of(first.started, other.started)),
             *_names_in_the_code(first, other),
         ],
         node=names[0],
@@ -183,6 +186,13 @@ def _of_one_group(several: Sequence[Finding]) -> Finding:
     if several[0].group[0] == _OF_PROCESS:
         return with_other_places(several, "it is started here, too")
     return with_others(several, "another node is", "more nodes are", "started in the same way")
+
+
+def _includes_of(first: Started | None, other: Started | None) -> list[Place]:
+    """Where the file is included in which one line starts two processes."""
+    if first is None or other is None or first.place != other.place:
+        return []
+    return list(dict.fromkeys(place for started in (first, other) for place in started.includes[-1:]))
 
 
 def _includes_apart(first: Started | None, other: Started | None) -> Iterator[Related]:
