@@ -119,6 +119,14 @@ def test_arguments_that_a_function_does_not_take(judge: Judge, line: str, what: 
     assert [place.message for place in finding.related] == [f"{what.partition(' ')[0]} is defined here"]
 
 
+def test_a_main_function_that_takes_the_words_of_the_command_line(judge: Judge) -> None:
+    code = "{}\n\nif __name__ == '__main__':\n    main()  # here\n"
+    (finding,) = judge("API001", code.format("import rclpy\n\ndef main(args):\n    rclpy.init(args=args)\n"))
+    assert finding.help == "write main(sys.argv), or give it a default: def main(args=None)"
+    (finding,) = judge("API001", code.format("import rclpy\n\ndef main(node):\n    print(node)\n"))
+    assert finding.help == "give what it takes: main(node)"
+
+
 @pytest.mark.parametrize(
     "line",
     [

@@ -75,10 +75,17 @@ def _cure(call: RefusedOwnCall) -> str:
         return f"rename {call.instead}() to __init__()"
     if wrong.misuse is Misuse.UNKNOWN_KEYWORD and not _lacking(call):
         return cure_of_keywords(wrong.parameters, keywords_meant(wrong.parameters, call.keywords))
+    if wrong.misuse is Misuse.MISSING and call.name == "main" and len(call.signature) == 1:
+        of_main = call.signature[0]
+        if of_main in _WORDS_OF_THE_COMMAND_LINE:
+            return f"write main(sys.argv), or give it a default: def main({of_main}=None)"
     itself = {"node", "parent_node", "ros_node"} if call.in_node else set[str]()
     takes = ", ".join("self" if name in itself else name for name in call.signature)
     # The names of parameters are those of the definition: where the call is, there may be no such variables.
     return f"{'write' if itself.issuperset(call.signature) else 'give what it takes:'} {call.name}({takes})"
+
+
+_WORDS_OF_THE_COMMAND_LINE = frozenset({"args", "argv"})
 
 
 def _lacking(call: RefusedOwnCall) -> tuple[str, ...]:
