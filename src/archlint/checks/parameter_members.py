@@ -32,7 +32,7 @@ def wrong_parameter_member(system: System, options: Options) -> Iterator[Finding
             "PRM010",
             read.place,
             f"'{read.member}' {effect}: the parameter '{read.name}' is {article} {kind}",
-            help=f"write {read.right}" if read.right else help,
+            help=_for_cpp(read) if read.right else help,
             related=[
                 Related(read.declared_at, "it is declared here"),
                 *(Related(row.declared_at, f"it reads '{row.name}', too, which is declared here") for row in rest),
@@ -41,6 +41,19 @@ def wrong_parameter_member(system: System, options: Options) -> Iterator[Finding
             identity=(read.name, read.member),
             group=(read.place.file, read.member, read.type, read.name),
         )
+
+
+def _for_cpp(read: WrongMember) -> str:
+    """Where the value is read in C++: as what it is, or what is read may be what is meant."""
+    meant = _RETURNED.get(read.member.removesuffix("()"))
+    return f"write {read.right}, or declare it with {meant}" if meant else f"write {read.right}"
+
+
+_RETURNED = {
+    **{"as_bool": "a bool", "as_double": "a double", "as_int": "an integer", "as_string": "a string"},
+    **{"get_value<double>": "a double", "get_value<bool>": "a bool", "get_value<int>": "an integer"},
+    "get_value<std::string>": "a string",
+}
 
 
 @folds("PRM010", common=3)
