@@ -522,3 +522,19 @@ def test_a_thread_whose_function_is_called_at_once(judge: Judge, thread: str, wh
 )
 def test_a_thread_that_gets_its_function(judge: Judge, thread: str):
     judge("API001", CALLED_FOR_A_THREAD.format(thread=thread, mark=""))
+
+
+@pytest.mark.parametrize(
+    ("call", "help"),
+    [
+        ("Duration(5)", "give it by name: Duration(seconds=…)"),
+        ("rclpy.init(None)", "give it by name: init(args=…)"),
+    ],
+)
+def test_what_goes_by_name_alone(judge: Judge, call: str, help: str):
+    source = NODE.replace(
+        "import rclpy\n", "import rclpy\nfrom rclpy.duration import Duration\nfrom rclpy.time import Time\n"
+    )
+    [finding] = judge("API001", source.format(call=f"{call}  # here"))
+    assert finding.message.endswith("fails: it takes no argument by position")
+    assert finding.help == help

@@ -298,3 +298,41 @@ def test_a_slip_in_a_method_that_only_an_uncalled_one_leads_to(tmp_path: Path, m
     monkeypatch.chdir(tmp_path)
     rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert [row.meant for row in rows] == ["odometer"] * told
+
+
+STAMPS = """\
+from geometry_msgs.msg import Point
+from rclpy.duration import Duration
+from rclpy.node import Node
+
+
+def limit(node: Node, point: Point):
+    node.get_clock().sleep_for(Duration(5))
+
+
+def lift(node: Node):
+    point = Point()
+    point.z = '1'
+    node.create_publisher(Point, 'lift', 10).publish(point)
+"""
+
+
+@pytest.mark.parametrize("called", [(), ("limit",), ("lift",), ("limit", "lift")])
+def test_calls_and_values_in_functions_that_nothing_calls(tmp_path: Path, monkeypatch, called: tuple[str, ...]):
+    calls = "\n        ".join(f"{name}(self{', None' * (name == 'limit')})" for name in called)
+    drive = CAR.replace("car.brake import Brake", "car.brake import Brake\nfrom car.stamps import lift, limit")
+    files = {
+        "package.xml": manifest("car"),
+        "setup.py": SETUP,
+        "car/__init__.py": "",
+        "car/brake.py": BRAKE,
+        "car/drive.py": drive.replace("self.brake.press()", calls or "pass"),
+        "car/stamps.py": STAMPS,
+        "archlint.toml": 'select = ["API001", "MSG003"]\n',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [row.place.line for row in rows] == [7] * ("limit" in called) + [12] * ("lift" in called)

@@ -132,7 +132,7 @@ def test_a_script_that_something_runs(told: Told, files: dict[str, str]):
     assert len(told(files, "API005")) == 1
 
 
-HELPER = "import json\n{more}\n\ndef node(topic):\n    return json.dumps(missing)\n"
+HELPER = "import json\n{more}\nKNOWN = [missing]\n\n\ndef node(topic):\n    return json.dumps(topic)\n"
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@ from archlint.checks.folding import folds, with_others
 from archlint.checks.published import is_told_where_it_is_sent
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Related
 from archlint.model import ValueEffect, WrongValue
 from archlint.python_code.byte_fields import ByteCompared, bytes_compared
@@ -40,8 +41,9 @@ def field_value_type(system: System, options: Options) -> Iterator[Finding]:
     for key in sorted(values):
         consequence = _consequence(system, values[key], options.distros)
         if consequence and not is_told_where_it_is_sent(system, values[key]):
-            yield _finding(values[key], consequence)
-    yield from map(_compared, bytes_compared(system))
+            yield from unless_uncalled(system, _finding(values[key], consequence))
+    for row in bytes_compared(system):
+        yield from unless_uncalled(system, _compared(row))
     yield from operations_on_fields(system)
 
 

@@ -65,7 +65,7 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
         slip = call.api == "rclpy.spin" and call.misuse is Misuse.MISSING and call.place.file in unported
         of_rospy = slip or is_of_ros_1(unported, call.place.file)  # API002 says to port it
         if call.misuse not in _OF_OTHER_RULES and not of_rospy and _is_refused(call, options.distros):
-            yield _finding(call)
+            yield from unless_uncalled(system, _finding(call))
     yield from time_operator_findings(system)
     yield from own_call_findings(system)
     yield from used_value_findings(system)
@@ -318,6 +318,8 @@ def _what_is_wrong(call: RefusedCall) -> str:
     match call.misuse:
         case Misuse.MISSING if _is_inherited_constructor(call) and call.wanted:
             return f"{names} is missing, as {call.wanted}() is no constructor"
+        case Misuse.TOO_MANY if not call.takes and _by_name(call):
+            return "it takes no argument by position"
         case Misuse.MISSING | Misuse.TOO_MANY | Misuse.UNKNOWN_KEYWORD | Misuse.TWICE:
             return what_does_not_fit(call.misuse, call.parameters, call.takes)
         case Misuse.ABSENT | Misuse.VALUE:
@@ -365,9 +367,16 @@ def _cure(name: str, call: RefusedCall) -> str:
         called = call.given.startswith("what ")
         return "pass the function itself, without parentheses" if called else f"pass {call.wanted}"
     if call.misuse is Misuse.UNKNOWN_KEYWORD:
-        known = {name for row in signatures_of(call.api).values() for name in (*row.positional, *row.by_name)}
+        known = {*_by_name(call), *(name for row in signatures_of(call.api).values() for name in row.positional)}
         return cure_of_keywords(call.parameters, keywords_meant(call.parameters, sorted(known)))
+    if call.misuse is Misuse.TOO_MANY and not call.takes and _by_name(call):
+        return f"give it by name: {name}({_by_name(call)[0]}=…)"
     return f"write {name}({', '.join(call.signature)})"
+
+
+def _by_name(call: RefusedCall) -> list[str]:
+    """The parameters that go by name alone, in the order of the newest distribution that has them."""
+    return [*dict.fromkeys(name for row in reversed(signatures_of(call.api).values()) for name in row.by_name)]
 
 
 def _cure_of_logger(name: str, call: RefusedCall) -> str:
