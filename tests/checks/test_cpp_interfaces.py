@@ -132,3 +132,23 @@ def test_interfaces_that_the_build_makes_are_not_judged(here: Path) -> None:
     made = INTERFACES.replace("rosidl_gen", "configure_file(msg/A.msg.in msg/A.msg)\nrosidl_gen", 1)
     made = made.replace('"srv/Reset.srv"', '"srv/Reset.srv" ${MADE}')
     assert findings(here, '#include "robot_msgs/msg/a.hpp"', **{"robot_msgs/CMakeLists.txt": made}) == []
+
+
+def test_interfaces_that_another_package_has_now(here: Path) -> None:
+    includes = "\n".join(f'#include "robot_msgs/msg/{name}.hpp"' for name in ("arm_pose", "grip_force"))
+    others = {
+        "arm_msgs/package.xml": manifest("arm_msgs", "ament_cmake"),
+        "arm_msgs/CMakeLists.txt": INTERFACES.replace("robot_msgs", "arm_msgs")
+        .replace("JointState2", "ArmPose")
+        .replace("WheelSpeed", "GripForce")
+        .replace("Reset", "Home"),
+        "arm_msgs/msg/ArmPose.msg": "float64 angle\n",
+        "arm_msgs/msg/GripForce.msg": "float64 force\n",
+        "arm_msgs/srv/Home.srv": "---\n",
+        "robot/include/robot/arm.hpp": '#pragma once\n#include "robot_msgs/msg/arm_pose.hpp"\n',
+    }
+    (told,) = findings(here, f'{includes}\n#include "robot/arm.hpp"', **others)
+    assert told.message == "robot_msgs defines no messages 'ArmPose' and 'GripForce'"
+    assert told.help == "take them from arm_msgs::msg, which defines them"
+    places = [told.place, *(row.place for row in told.related)]
+    assert {place.file for place in places} == {"robot/src/robot.cpp", "robot/include/robot/arm.hpp"}

@@ -61,6 +61,8 @@ def _of_own_package(
         return replace(told, help=help, group=(_OWN, interface.package, interface.kind, *sorted(beside)))
     if interface.left_out:
         return replace(told, group=(_LEFT_OUT, interface.package, interface.kind, interface.name))
+    if len(interface.elsewhere) == 1 and is_cpp(interface.place.file):
+        return replace(told, group=(_ELSEWHERE, interface.package, interface.kind, *interface.elsewhere))
     if interface.elsewhere or _part(interface) is not None:
         return told
     help = told.help
@@ -80,7 +82,7 @@ def _generates_nothing(workspace: WorkspaceIndex | None, package: str) -> bool:
     return installs is not None and installs.generates_nothing
 
 
-_OWN, _LEFT_OUT = "of the workspace", "left out"
+_OWN, _LEFT_OUT, _ELSEWHERE = "of the workspace", "left out", "of another package"
 
 
 def _is_built(system: System, file: str) -> bool:
@@ -148,7 +150,10 @@ def of_one_file(findings: Sequence[Finding]) -> Finding:
     several = {"msg": "messages", "srv": "services", "action": "actions"}[kind]
     hints = [_instead(diagnostic.meant, diagnostic.identity[2]) for diagnostic in findings]
     message = f"{package} defines no {several} {listed}{''.join(dict.fromkeys(hints))}"
-    return replace(first, message=message, related=(*first.related, *rows), identity=(package, kind, *names))
+    help = first.help
+    if first.group[0] == _ELSEWHERE:
+        help = (help or "").replace("take it", "take them").replace("defines it", "defines them")
+    return replace(first, message=message, help=help, related=(*first.related, *rows), identity=(package, kind, *names))
 
 
 def _instead(meant: str, name: str = "") -> str:
