@@ -106,3 +106,20 @@ def test_what_is_not_there(judge: Judge, line: str, message: str, help: str) -> 
 )
 def test_what_is_there_or_may_be(judge: Judge, line: str) -> None:
     judge("API002", NODE.format(line=line))
+
+
+def test_what_the_class_itself_lacks_and_others_ask_its_objects_for(judge: Judge) -> None:
+    lacks = NODE.replace("        print(speed)\n", "        self.lubricate()  # here\n").format(
+        line="self.wheel.lubricate()"
+    )
+    [finding] = judge("API002", lacks)
+    assert finding.message == "nothing assigns 'lubricate' of class Wheel: this line fails with an AttributeError"
+    assert [related.place.line for related in finding.related] == [30]
+
+
+def test_an_object_is_asked_for_something_else_than_what_the_class_lacks(judge: Judge) -> None:
+    lacks = NODE.replace("        print(speed)\n", "        self.lubricate()  # here\n").format(
+        line="self.wheel.clean()  # here"
+    )
+    first, second = judge("API002", lacks)
+    assert first.related == second.related == ()

@@ -57,8 +57,19 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     yield from map(_action_overwritten, overwritten_actions(system.workspace))
     of_objects = {absent.place: absent for absent in absent_of_objects(system)}
     of_objects.update((absent.place, absent) for absent in absent_members(system.workspace))
+    unassigned = list(_unassigned_findings(system))
+    lacking = {(f"class {told.identity[0]}", told.identity[1]) for told in unassigned}
+    asked_of: dict[tuple[str, str], list[Place]] = {}
     for absent in (*of_objects.values(), *absent_enum_members(system.workspace)):
-        yield from unless_uncalled(system, _absent(absent))
+        for diagnostic in unless_uncalled(system, _absent(absent)):
+            if (absent.owner, absent.name) in lacking:  # who defines it there mends this line, too
+                asked_of.setdefault((absent.owner, absent.name), []).append(absent.place)
+            else:
+                yield diagnostic
+    for told in unassigned:
+        places = asked_of.pop((f"class {told.identity[0]}", told.identity[1]), [])
+        also = [Related(place, "this line asks an object of the class for it") for place in sorted(places)]
+        yield replace(told, related=(*told.related, *also))
     for path in system.workspace.python_files(mentioning="ArgumentParser"):
         for name, names, span in absent_arguments(system.workspace, path) or ():
             near = nearest(name, names) or ""
@@ -76,6 +87,11 @@ def attribute_findings(system: System) -> Iterator[Finding]:
         yield from unless_uncalled(system, _looked_into(looked))
     for indexed in indexed_methods(system.workspace):
         yield from unless_uncalled(system, _indexed(indexed))
+
+
+def _unassigned_findings(system: System) -> Iterator[Finding]:
+    """The findings about attributes of ``self`` that nothing assigns."""
+    assert system.workspace is not None
     told = {(callback.place.file, callback.missing) for callback in system.callbacks if callback.missing}
     told |= {
         (call.place.file, name) for run in system.programs for call in run.refused_calls for name in call.parameters
