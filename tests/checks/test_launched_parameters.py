@@ -91,6 +91,11 @@ def test_an_empty_list_is_a_byte_array_to_rclpy(findings):
     )
     assert reported.help == "declare it with rclpy.Parameter.Type.STRING_ARRAY instead of a value"
 
+    (reported,) = told("'left'", "['left', 'right']")
+    assert reported.help == "write one text, without brackets: rclpy takes no list for it"
+    (reported,) = told("'left'", "5")
+    assert reported.help == "put it in quotes, or in a launch file wrap it: ParameterValue(…, value_type=str)"
+
     assert told("['']", "['left', 'right']") == []
     assert told("rclpy.Parameter.Type.STRING_ARRAY", "['left', 'right']") == []
     assert told("[], ParameterDescriptor(dynamic_typing=True)", "['left', 'right']") == []

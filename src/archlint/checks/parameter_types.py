@@ -173,6 +173,8 @@ def _help(value: object, wanted: ParameterType | None, library: str) -> str:
         return f"write {float(value)}: {library} does not convert an integer to a double"
     if wanted == "double_array" and isinstance(value, list):
         return f"write each number with a decimal point: {library} does not convert integers to doubles"
+    if wanted == "string" and isinstance(value, list):
+        return f"write one text, without brackets: {library} takes no list for it"
     if wanted == "string":
         return "put it in quotes, or in a launch file wrap it: ParameterValue(…, value_type=str)"
     return f"set a value of type {wanted}: the node raises an exception when it declares the parameter"
