@@ -673,6 +673,9 @@ def arg(name: str, path: str, at: str = "value") -> str:
         (include("$(find-pkg-share nav2)/it.xml", arg("map", "halls/hall.yaml")), "has no file 'halls/hall.yaml'"),
         ('<let name="map" value="$(find-pkg-share robot)/halls/hall.yaml"/>', "has no file 'halls/hall.yaml'"),
         (arg("map", "config/mapp.yaml", "default"), "has no file 'config/mapp.yaml'; did you mean 'map.yaml'?"),
+        (arg("slam_params_file", "config/slam.yaml", "default"), "has no file 'config/slam.yaml'"),
+        (include("$(find-pkg-share nav2)/it.xml", arg("params_file", "config/nav2.yaml")), "file 'config/nav2.yaml'"),
+        (arg("rvizconfig", "config/view.rviz", "default"), "has no file 'config/view.rviz'"),
     ],
 )
 def test_a_path_that_an_argument_gets(findings, launch, message):
@@ -686,6 +689,10 @@ def test_a_path_that_an_argument_gets(findings, launch, message):
         arg("map", "config/map.yaml", "default"),
         arg("map", "config/other.yaml", "default"),  # a node may write it there
         arg("save_to", "halls/hall.yaml", "default"),
+        arg("params_file", "config/map.yaml", "default"),
+        arg("output_params_file", "config/seen.yaml", "default"),
+        arg("parameterless", "config/seen.yaml", "default"),
+        arg("config", "config/seen.bin", "default"),
         '<arg name="map" default="$(find-pkg-share halls)/halls/hall.yaml"/>',
     ],
 )

@@ -46,6 +46,9 @@ _OF_NO_KIND = (FileKind.OTHER, FileKind.ARGUMENT)
 _READ = (".lua", ".sdf", ".srdf", ".urdf", ".world", ".xacro")
 """What nodes are given to read: another file that is not there may be one that they write."""
 
+_OF_SETTINGS = re.compile(r"(?:^|_)(?:config|configuration|param(?:eter)?s?|rviz|rvizconfig)(?:_|$)")
+_SETTINGS = (".rviz", ".yaml", ".yml")
+"""What an argument called ``params_file`` or ``rviz_config`` is set to: nothing writes these at run time."""
 
 _TRAINED = (".engine", ".h5", ".onnx", ".pb", ".pt", ".pth", ".safetensors", ".tflite", ".trt", ".weights")
 """Models that are trained or downloaded, and seldom kept with the sources: that one is not there says nothing."""
@@ -264,9 +267,15 @@ def _is_read(system: System, reference: FileReference, written: str) -> bool:
         return False
     is_meant = path.endswith(_READ) or _file_meant(system.workspace, installs.package, path) != ""
     if reference.kind == FileKind.ARGUMENT:
+        is_meant = is_meant or _has_settings(reference, path)
         is_meant = is_meant or is_folder_missing(system.workspace, installs.package, path)
         is_meant = is_meant and not has_template(system.workspace, installs.package, path)
     return is_meant and not is_ignored(system.workspace, posixpath.normpath(posixpath.join(installs.folder, path)))
+
+
+def _has_settings(reference: FileReference, path: str) -> bool:
+    """Whether an argument is for a file of parameters or of RViz, as its name says."""
+    return path.endswith(_SETTINGS) and _OF_SETTINGS.search(reference.name or "") is not None
 
 
 def _installed_so(system: System, reference: FileReference, shown: str) -> str:
