@@ -11,6 +11,7 @@ from archlint.analysis.parameter_uses import is_passed_on, names_listed
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.unset_parameters import UNSET, unset_parameters
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
 from archlint.model.given import Constant
@@ -31,6 +32,7 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
             diagnostic = _undeclared(node, call, name, place, declared or {})
             used = call.context.role != Role.METHOD  # what nothing calls raises nothing
             yield diagnostic if used else replace(diagnostic, severity=Severity.INFO)
+    yield from unset_parameters(system)
 
 
 def undeclared_reads(system: System, node: Node) -> Iterator[tuple[ApiCall, str, Place]]:
@@ -98,6 +100,10 @@ def _of_one_node(findings: Sequence[Finding]) -> Finding:
         return replace(
             with_others(findings, "another name has", "more names have", "a ~, too", beside="this name has a ~, too"),
             identity=(cls, *names),
+        )
+    if len(names) > 1 and first.group[-1] == UNSET:
+        return replace(
+            with_others(findings, "another one has", "more have", "no value, either"), identity=(cls, *names)
         )
     if len(names) == 1:
         return replace(first, related=(*first.related, *(Related(other.place, "and here") for other in others)))

@@ -139,6 +139,12 @@ def _doubt(parameter: ParameterSetting | ParameterFileUse | OpenParameters) -> s
     return None
 
 
+def sets_all_that_is_set(started: Started) -> bool:
+    """Whether nothing may set a parameter of a process that :func:`settings_of` does not tell."""
+    words = (*started.arguments, *started.ros_arguments)
+    return started.knows_all_arguments and None not in words and not any(map(_doubt, started.parameters))
+
+
 WRITTEN_BEHIND = "what comes behind it may set it"
 
 
