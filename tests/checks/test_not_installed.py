@@ -587,6 +587,35 @@ def test_a_package_with_a_marker_of_its_own_or_perhaps_one(findings, markers: st
 
 
 @pytest.mark.parametrize(
+    ("markers", "said"),
+    [
+        (
+            "['resource/robot', 'resource/lens.yaml']",
+            "'resource/lens.yaml' among the markers of packages: ROS takes that",
+        ),
+        ("['resource/robot', 'config/a.yaml']", "'config/a.yaml' among"),
+        (
+            "glob('resource/*')",
+            "'resource/chart.png', 'resource/lens.yaml' among the markers of packages: ROS takes these",
+        ),
+        ("['resource/robot']", ""),
+        ("['resource/robot', 'resource/of_tests']", ""),
+        ("['resource/robot', 'launch/it.launch.xml']", ""),
+    ],
+)
+def test_a_file_among_the_markers_of_packages(findings, markers: str, said: str):
+    setup = listing("package.xml").replace("['resource/robot']", markers)
+    files = dict.fromkeys(("robot", "lens.yaml", "chart.png", "of_tests", ".gitkeep"), "")
+    files = {f"resource/{name}": "" for name in files} | {
+        "config/a.yaml": "",
+        "setup.py": setup.replace("config/*", "-"),
+    }
+    assert [row.message.removeprefix("data_files= puts ")[: len(said)] for row in findings("PKG004", **files)] == (
+        [said] if said else []
+    )
+
+
+@pytest.mark.parametrize(
     ("listed", "vain"),
     [
         ("glob('config/' + name + '.yaml')", False),

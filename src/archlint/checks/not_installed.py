@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.data_beside_modules import of_data_beside_modules
+from archlint.checks.files_in_index import of_files_in_index
 from archlint.checks.folding import folds, with_others
 from archlint.checks.left_out_by_cmake import left_out_by_cmake
 from archlint.checks.left_out_headers import of_left_out_headers
@@ -83,6 +84,7 @@ def _all_left_out(workspace: WorkspaceIndex) -> Iterator[Finding]:
     yield from _all_in_vain(workspace, files_in_vain, misspelt)
     yield from map(_folder, folders_listed(workspace))
     yield from map(_misnamed, misnamed_markers(workspace))
+    yield from of_files_in_index(workspace)
     commands = {row.place.file for row in files_in_vain if row.command == _GENERATES}
     yield from (_interfaces(row) for row in not_generated(workspace) if row.command.file not in commands)
     yield from imports_of_scripts(workspace)
