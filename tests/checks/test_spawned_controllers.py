@@ -121,3 +121,65 @@ def test_a_controller_that_the_configuration_of_moveit_names(findings):
     ]
     files["config/moveit_controllers.yaml"] = NAMED.format("arm_controller")
     assert findings("LCH012", **files) == []
+
+
+DESCRIPTION = """\
+<robot name="robot" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <gazebo>
+    <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+      {}
+    </plugin>
+  </gazebo>
+</robot>
+"""
+NAMES_FILE = "<parameters>$(find robot)/config/controllers.yaml</parameters>"
+
+
+def _in_simulator(findings, launch: str, names: str = NAMES_FILE, **files: str):
+    files = {"config/controllers.yaml": CONTROLLERS, "urdf/robot.urdf.xacro": DESCRIPTION.format(names)} | files
+    return findings("LCH012", launch, **files)
+
+
+@pytest.mark.parametrize(
+    "before",
+    [
+        "",
+        '<include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"/>',
+        '<node pkg="ros_gz_sim" exec="create"/>',
+    ],
+)
+def test_a_manager_in_a_simulator(findings, before: str):
+    (told,) = _in_simulator(findings, before + _spawner("arm_controller") + _spawner("wheels_controller"))
+    assert told.message.endswith("'wheels_controller', so that spawning it fails; did you mean 'wheel_controller'?")
+    assert [(row.message, row.place.file, row.place.line) for row in told.related] == [
+        ("the controller manager in the simulator gets its file here", "urdf/robot.urdf.xacro", 4)
+    ]
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        "",
+        "<parameters>$(arg controllers)</parameters>",
+        f"{NAMES_FILE}<parameters>$(find elsewhere)/config/controllers.yaml</parameters>",
+        "<parameters>$(find robot)/config/others.yaml</parameters>",
+        f"<!-- {NAMES_FILE} -->",
+    ],
+)
+def test_a_manager_in_a_simulator_that_may_get_other_files(findings, names: str):
+    assert _in_simulator(findings, _spawner("legs"), names) == []
+
+
+@pytest.mark.parametrize(
+    ("launch", "files"),
+    [
+        (_spawner("arm_controller gripper_controller"), {}),
+        (_spawner("legs --controller-type legs/Legs"), {}),
+        (_spawner("legs"), {"config/more.yaml": "controllers: [legs]\n"}),
+        ('<include file="$(find-pkg-share elsewhere)/launch/control.launch.py"/>' + _spawner("legs"), {}),
+        ('<include file="$(env FILE)"/>' + _spawner("legs"), {}),
+        (_spawner("legs"), {"urdf/robot.urdf.xacro": "<robot name='robot'/>"}),
+    ],
+)
+def test_a_simulator_in_which_a_spawner_succeeds_or_may(findings, launch: str, files: dict[str, str]):
+    assert _in_simulator(findings, launch, **files) == []

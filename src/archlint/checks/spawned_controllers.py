@@ -15,6 +15,9 @@ from archlint.suggestions import listed, meant, nearest
 if TYPE_CHECKING:
     from archlint.systems.model import System
 
+_STARTED = "the controller manager is started here"
+_IN_SIMULATOR = "the controller manager in the simulator gets its file here"
+
 
 @rule("LCH012", scope=Scope.LAUNCH_FILE, in_use=True)
 def unknown_controller(system: System, options: Options) -> Iterator[Finding]:
@@ -29,7 +32,7 @@ def unknown_controller(system: System, options: Options) -> Iterator[Finding]:
             f"the controller manager gets no type of a controller '{spawned.name}', so that spawning it fails"
             + (meant(f"'{near}'") if near is not None else ""),
             help=f"write '{near}'" if near is not None else f"spawn one that it knows: {listed(spawned.known)}",
-            related=[*spawns, Related(spawned.manager, "the controller manager is started here")],
+            related=[*spawns, Related(spawned.manager, _IN_SIMULATOR if spawned.simulated else _STARTED)],
             identity=(spawned.name,),
             group=(place.file, spawned.name),
             meant=near or "",

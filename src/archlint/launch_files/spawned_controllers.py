@@ -10,7 +10,9 @@ import posixpath
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.launch.kinds import FileKind, GapKind
 from archlint.launch.parameter_sources import ParameterFileUse, ParameterSetting
+from archlint.launch_files.simulated_managers import simulated_manager, words_of_yaml
 from archlint.place import Place
 from archlint.records import dataclass
 
@@ -48,6 +50,8 @@ class UnknownController:
     manager: Place
     named_at: Place | None = None
     """Where the configuration of MoveIt names it, if a launch file spawns what that names."""
+    simulated: bool = False
+    """Whether the manager is in a simulator: then ``manager`` is where the description of a robot names its file."""
 
 
 def unknown_controllers(system: System) -> Iterator[UnknownController]:
@@ -55,6 +59,8 @@ def unknown_controllers(system: System) -> Iterator[UnknownController]:
     workspace = system.workspace
     started = system.launched.started if system.launched is not None else ()
     managers = [process for process in started if (process.package.text, process.executable.text) == _MANAGER]
+    if workspace is not None and not managers:
+        yield from _unknown_in_simulation(system, workspace)
     if workspace is None or len(managers) != 1 or managers[0].dormant:
         return
     [manager] = managers
@@ -62,13 +68,38 @@ def unknown_controllers(system: System) -> Iterator[UnknownController]:
     if not known:
         return
     for process in started:
-        is_spawner = (process.package.text, process.executable.text) in _SPAWNERS and not process.dormant
-        if is_spawner and process.branch_arms >= manager.branch_arms:
+        if _is_spawner(process) and process.branch_arms >= manager.branch_arms:
             for name in _names(process):
                 if name not in known:
                     place = process.places.get("arguments", process.place)
                     named = _named_at(workspace, place, name)
                     yield UnknownController(place, name, tuple(sorted(known)), manager.place, named)
+
+
+_SIMULATORS = frozenset({"gazebo_ros", "ros_gz_sim", "ros_ign_gazebo", "ros_gz_bridge", "ros_ign_bridge"})
+"""Packages whose launch files start no controller manager by themselves."""
+
+
+def _unknown_in_simulation(system: System, workspace: WorkspaceIndex) -> Iterator[UnknownController]:
+    """Controllers of which no file of the workspace says anything, where a simulator has its manager from there."""
+    launched, manager = system.launched, None
+    if launched is not None and any(map(_is_spawner, launched.started)):
+        manager = simulated_manager(workspace)
+    if launched is None or manager is None:
+        return
+    included = [row for row in launched.references if row.kind is FileKind.LAUNCH]
+    known_files = all(row.source is not None or row.package in _SIMULATORS for row in included)
+    if not known_files or any(gap.kind is GapKind.INCLUDE for gap in launched.gaps):
+        return
+    for process in filter(_is_spawner, launched.started):
+        for name in _names(process):
+            if name not in manager.known and name not in words_of_yaml(workspace):
+                place, known = process.places.get("arguments", process.place), tuple(sorted(manager.known))
+                yield UnknownController(place, name, known, manager.place, simulated=True)
+
+
+def _is_spawner(process: Started) -> bool:
+    return (process.package.text, process.executable.text) in _SPAWNERS and not process.dormant
 
 
 _OF_MOVEIT = "config/moveit_controllers.yaml"
