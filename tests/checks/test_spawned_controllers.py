@@ -123,6 +123,23 @@ def test_a_controller_that_the_configuration_of_moveit_names(findings):
     assert findings("LCH012", **files) == []
 
 
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("--set-state active wheels", 1),
+        ("wheels --set-state inactive -c /controller_manager", 1),
+        ("--set-state active wheel_controller", 0),
+        ("wheels $(find-pkg-share robot)/config/wheels.yaml", 0),
+        ("--set-state active $(env NAME)", 0),
+    ],
+)
+def test_the_command_that_loads_a_controller(findings, words: str, told: int):
+    command = f'<executable cmd="ros2 control load_controller {words}"/>'
+    assert len(_told(findings, MANAGER.format("", "") + command)) == told
+    other = '<executable cmd="ros2 control list_controllers wheels"/>'
+    assert _told(findings, MANAGER.format("", "") + other) == []
+
+
 DESCRIPTION = """\
 <robot name="robot" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <gazebo>

@@ -10,7 +10,7 @@ import posixpath
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.launch.kinds import FileKind, GapKind
+from archlint.launch.kinds import FileKind, GapKind, StartedKind
 from archlint.launch.parameter_sources import ParameterFileUse, ParameterSetting
 from archlint.launch_files.simulated_managers import simulated_manager, words_of_yaml
 from archlint.place import Place
@@ -37,6 +37,7 @@ _WITHOUT_VALUE = frozenset(
         "-u",
     }
 )
+_COMMAND = ("control", "load_controller")
 _LAST = ".type"
 
 
@@ -99,7 +100,14 @@ def _unknown_in_simulation(system: System, workspace: WorkspaceIndex) -> Iterato
 
 
 def _is_spawner(process: Started) -> bool:
-    return (process.package.text, process.executable.text) in _SPAWNERS and not process.dormant
+    is_node = (process.package.text, process.executable.text) in _SPAWNERS
+    return (is_node or _is_command(process)) and not process.dormant
+
+
+def _is_command(process: Started) -> bool:
+    """Whether a process is ``ros2 control load_controller``, which does what the spawner does."""
+    is_ros2 = process.kind is StartedKind.PROCESS and process.executable.text == "ros2"
+    return is_ros2 and process.arguments[: len(_COMMAND)] == [*_COMMAND]
 
 
 _OF_MOVEIT = "config/moveit_controllers.yaml"
@@ -144,11 +152,12 @@ def _names(spawner: Started) -> list[str]:
     if not spawner.knows_all_arguments or spawner.ros_arguments or spawner.parameters:
         return []
     names: list[str] = []
-    words = iter(spawner.arguments)
+    is_command = _is_command(spawner)
+    words = iter(spawner.arguments[len(_COMMAND) :] if is_command else spawner.arguments)
     for word in words:
-        if word is None:
-            return []
-        if word in _WITH_VALUE:
+        if word is None or (is_command and names and not word.startswith("-")):
+            return []  # the second word of the command is a file with the type
+        if word in (_WITH_VALUE | {"--set-state"} if is_command else _WITH_VALUE):
             next(words, None)
         elif word.startswith("-") and word not in _WITHOUT_VALUE:
             return []  # the type, a file with it, or an option that is not known
