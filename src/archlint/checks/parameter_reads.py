@@ -11,8 +11,9 @@ from archlint.analysis.parameter_uses import is_passed_on, names_listed
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.unset_parameters import UNSET, unset_parameters
+from archlint.checks.unset_parameters import UNSET, unset_parameter
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.launch_files.unset_parameters import unset_parameters
 from archlint.model import Role
 from archlint.model.given import Constant
 from archlint.suggestions import did_you_mean, listed, meant
@@ -32,7 +33,7 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
             diagnostic = _undeclared(node, call, name, place, declared or {})
             used = call.context.role != Role.METHOD  # what nothing calls raises nothing
             yield diagnostic if used else replace(diagnostic, severity=Severity.INFO)
-    yield from unset_parameters(system)
+    yield from map(unset_parameter, unset_parameters(system))
 
 
 def undeclared_reads(system: System, node: Node) -> Iterator[tuple[ApiCall, str, Place]]:

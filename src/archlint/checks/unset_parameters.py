@@ -1,130 +1,36 @@
-"""PRM003: parameters that are declared with a type alone, and that nothing sets before they are read.
-
-Source: ``Node.get_parameter`` of rclpy raises ParameterUninitializedException, and ``declare_parameter<T>(name)`` of
-rclcpp throws UninitializedStaticallyTypedParameterException by itself, both since Galactic.
-"""
+"""PRM003: parameters that are declared with a type alone, and that no launch file gives a value."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from archlint.analysis.declared_parameters import declared_by, followed
-from archlint.analysis.kept import once
-from archlint.analysis.pinned import is_from_before_galactic
 from archlint.checks.registry import finding
-from archlint.finding import Finding, Place, Related
-from archlint.launch_files.set_parameters import set_nodes
-from archlint.model import Role
-from archlint.model.given import Constant
-from archlint.records import dataclass
-from archlint.systems.nodes import key_of
-from archlint.systems.overrides import sets_all_that_is_set
-from archlint.workspace.kinds import is_cpp
+from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
-    from archlint.model import ParameterDeclaration
-    from archlint.systems.model import System, WorkspaceIndex
-    from archlint.systems.nodes import Node
+    from archlint.launch_files.unset_parameters import Unset
 
 UNSET = "never set"
 """What the findings of this kind have in common."""
 
 
-@dataclass(frozen=True)
-class _Launch:
-    """One start of a node: where, and which parameters it is given; None where it may be given any."""
-
-    place: Place
-    given: frozenset[str] | None
-
-
-def unset_parameters(system: System) -> Iterator[Finding]:
-    """What a node reads of a parameter without a value, where launch files start it and none of them gives one."""
-    workspace = system.workspace
-    if workspace is None or is_from_before_galactic(workspace):
-        return
-    for node in system.nodes:
-        declared = declared_by(node)
-        if node.blueprint is None or declared is None or node.program is None or node.program.exhausted:
-            continue
-        if not node.blueprint.just_rclpy or not followed(node):
-            continue
-        rows = {name: row for name, (row, *others) in declared.items() if not others and _is_unset(row)}
-        launches = _launches(workspace).get(key_of(node.blueprint), ()) if rows else ()
-        for name, row in rows.items():
-            if launches and all(launch.given is not None and name not in launch.given for launch in launches):
-                stops = _stops_at(workspace, node, name, row)
-                if stops is not None:
-                    yield _told(node, name, row, stops, launches[0].place)
-
-
-def _is_unset(row: ParameterDeclaration) -> bool:
-    """Whether a parameter has a type, and no value from the code."""
-    has_type = row.without_default and row.type is not None and not row.dynamic
-    return has_type and not row.given and not row.conditional and not row.uncalled
-
-
-@once
-def _launches(workspace: WorkspaceIndex) -> Mapping[object, list[_Launch]]:
-    """The starts of each node class by launch files, with the default arguments of these."""
-    launches: dict[object, list[_Launch]] = {}
-    for system in workspace.systems:
-        for node, settings in set_nodes(system):
-            started = node.started
-            if started is None or started.dormant:
-                continue
-            is_known = node.resolution in ("exact", "parameter") and sets_all_that_is_set(started)
-            given = frozenset(setting.name for setting in settings) if is_known else None
-            for blueprint in node.blueprints:
-                launches.setdefault(key_of(blueprint), []).append(_Launch(started.place, given))
-    return launches
-
-
-def _stops_at(workspace: WorkspaceIndex, node: Node, name: str, row: ParameterDeclaration) -> Place | None:
-    """Where the node stops for want of the value; None where it may not."""
-    files = {row.place.file} | {frame.place.file for frame in row.chain}
-    if is_cpp(row.place.file):
-        text = workspace.tree.text(row.place.file) or ""
-        line = text.splitlines()[row.place.line - 1 : row.place.end_line]
-        has_type = "declare_parameter<" in "".join("".join(line).split())
-        return row.place if has_type and not _mentioned(workspace, files, _CATCHES) else None
-    assert node.program is not None
-    for call in node.program.calls:
-        if call.node is not node.blueprint or call.api != "rclpy.node.Node.get_parameter":
-            continue
-        value = call.arguments.get("name")
-        if not isinstance(value, Constant) or value.value != name or value.parameters:
-            continue
-        depends = call.in_try or call.conditional or bool(call.branch_arms) or call.context.role == Role.METHOD
-        if not depends and not _mentioned(workspace, files | {call.place.file}, _SETS):
-            return call.place
-    return None
-
-
-_SETS = ("set_parameters", "set_parameters_atomically", "_parameter_overrides", "parameter_overrides")
-_CATCHES = ("catch", "parameter_overrides")
-
-
-def _mentioned(workspace: WorkspaceIndex, files: Collection[str], words: Collection[str]) -> bool:
-    return any(workspace.code.mentions(file, word) for file in files for word in words)
-
-
-def _told(node: Node, name: str, row: ParameterDeclaration, place: Place, launched: Place) -> Finding:
-    assert node.blueprint is not None
-    declared = [] if place == row.place else [Related(row.place, "it is declared here, without a value")]
-    stops = "declared without a value" if place == row.place else "read, and has no value"
+def unset_parameter(row: Unset) -> Finding:
+    """The finding for one parameter."""
+    assert row.node.blueprint is not None
+    declared = [] if row.place == row.declared else [Related(row.declared, "it is declared here, without a value")]
+    class_name = row.node.blueprint.class_name
+    stops = "read, and has no value" if declared else "declared without a value"
     return finding(
         "PRM003",
-        place,
-        f"parameter '{name}' is {stops}, and no launch file that starts {node.blueprint.class_name} gives it one: "
-        "the node stops here",
+        row.place,
+        f"parameter '{row.name}' is {stops}, and no launch file that starts {class_name} gives it one: the node stops "
+        "here",
         help="give it a value in the launch file or its parameter file, or a default where it is declared",
-        related=[*declared, Related(launched, "the node is started here")],
-        node=node.name,
-        identity=(node.blueprint.class_name, name),
-        group=(place.file, node.blueprint.class_name, UNSET),
+        related=[*declared, Related(row.launched, "the node is started here")],
+        node=row.node.name,
+        identity=(class_name, row.name),
+        group=(row.place.file, class_name, UNSET),
     )
 
 
-__all__ = ["UNSET", "unset_parameters"]
+__all__ = ["UNSET", "unset_parameter"]

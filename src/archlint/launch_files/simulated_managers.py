@@ -61,11 +61,11 @@ def _named_files(workspace: WorkspaceIndex, file: str) -> list[Place] | None:
     for plugin in _PLUGIN.finditer(said):
         parameters = [*_PARAMETERS.finditer(plugin[0])]
         for named in parameters:
-            found = _FOUND.fullmatch(named[1].strip())
-            package = None if found is None else workspace.packages.get(found[1])
-            if found is None or package is None:
+            path = _FOUND.fullmatch(named[1].strip())
+            package = None if path is None else workspace.packages.get(path[1])
+            if path is None or package is None:
                 return None
-            if not workspace.tree.is_file(posixpath.normpath(posixpath.join(package.relative, found[2]))):
+            if not workspace.tree.is_file(posixpath.normpath(posixpath.join(package.relative, path[2]))):
                 return None
             line = said.count("\n", 0, plugin.start() + named.start()) + 1
             places.append(Place(file, line, 1, line, 1))
