@@ -336,3 +336,53 @@ def test_calls_and_values_in_functions_that_nothing_calls(tmp_path: Path, monkey
     monkeypatch.chdir(tmp_path)
     rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert [row.place.line for row in rows] == [7] * ("limit" in called) + [12] * ("lift" in called)
+
+
+LIFT = """\
+import time
+
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Arm:
+    def raise_it(self):
+        time.sleep(5.0)
+
+
+class Lift(Node):
+    def __init__(self):
+        super().__init__('lift')
+        self.arm = Arm()
+        self.create_subscription(String, 'up', self.on_up, 10)
+        self.create_subscription(String, 'down', self.on_down, 10)
+
+    def on_up(self, message):
+        self.arm.raise_it()
+
+    def on_down(self, message):
+        print(message.text, hieght)
+
+
+def main():
+    rclpy.init()
+    {made}
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("made", "told"),
+    [("rclpy.spin(Lift())", ["EXE003", "MSG001", "API005"]), ("# rclpy.spin(Lift())\n    Arm().raise_it()", [])],
+    ids=["made", "the line that makes it is a comment"],
+)
+def test_a_node_that_its_program_does_not_make(tmp_path: Path, monkeypatch, made: str, told: list[str]):
+    (tmp_path / "lift.py").write_text(LIFT.replace("{made}", made), encoding="utf-8")
+    (tmp_path / "archlint.toml").write_text('select = ["API005", "EXE003", "MSG001"]\n', encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [row.code for row in rows] == told

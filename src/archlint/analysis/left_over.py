@@ -104,6 +104,16 @@ def is_left_unmade(workspace: WorkspaceIndex | None, file: str, cls: str) -> boo
     return all(cls in _classes(workspace.facts_at(other)) for other in others)
 
 
+def unmade_class(workspace: WorkspaceIndex | None, place: Place) -> str | None:
+    """The name of the class at the top of a file that holds a place, where no object of it is made, though the file
+    makes some of its other classes; None for any other place."""
+    code = None if workspace is None else workspace.facts_at(place.file)
+    classes = [part for part in (() if code is None else code.body) if isinstance(part, facts.Class)]
+    plain = [part for part in classes if all(base.value.last_name in _PLAIN_BASES for base in part.bases)]
+    around = [part for part in plain if part.span[0] <= place.line <= part.span[2] and not part.decorators]
+    return next((part.name for part in around if is_left_unmade(workspace, place.file, part.name)), None)
+
+
 def _classes(code: facts.Facts | None) -> set[str]:
     return set() if code is None else {each.name for each in code.body if isinstance(each, facts.Class)}
 

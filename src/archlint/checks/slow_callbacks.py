@@ -10,6 +10,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
+from archlint.analysis.left_over import is_left_unmade
 from archlint.analysis.order import is_called_in_branches
 from archlint.analysis.reach import creations_of, judged_calls, one_for_each_place
 from archlint.analysis.source_code import SourceCode, source_code
@@ -66,7 +67,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     turning = {id(call.context) for _, call in judged_calls(system) if _turns(call)}
     functions: dict[tuple[str, str], dict[Place, LongStay]] = {}
     for program, call, stay in long_stays(system):
-        if _is_for_others(call, stay) or _is_in_a_copied_library(system, call):
+        if _is_for_others(call, stay) or _is_in_a_copied_library(system, call) or _is_never_made(system, call):
             continue
         if not endless.isdisjoint(call.loops):
             continue  # EXE009 says that the loop never ends, or TMO004 what alone ends it
@@ -114,6 +115,12 @@ def _is_for_others(call: ApiCall, stay: Stay) -> bool:
     has failed."""
     is_sleep_of_handler = call.context.role == Role.SERVICE and stay.kind == "sleep"
     return is_sleep_of_handler or call.context.role == Role.LIFECYCLE or call.cleaning
+
+
+def _is_never_made(system: System, call: ApiCall) -> bool:
+    """Whether a callback is of a node that the program which defines it does not make, but others of its classes."""
+    node = call.context.node
+    return node is not None and is_left_unmade(system.workspace, node.place.file, node.class_name)
 
 
 def _is_in_a_copied_library(system: System, call: ApiCall) -> bool:

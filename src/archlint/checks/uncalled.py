@@ -9,6 +9,7 @@ from archlint.analysis.behind_ends import is_behind_an_end
 from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.idle_helpers import is_idle_helper
 from archlint.analysis.kept_defaults import needs_another_default
+from archlint.analysis.left_over import unmade_class
 from archlint.analysis.replaced_methods import is_replaced
 from archlint.analysis.uncalled_functions import uncalled_function
 from archlint.analysis.uncalled_methods import is_in_trial, uncalled_main, uncalled_method
@@ -46,12 +47,13 @@ _NEVER_REACHED = (
 
 def uncalled_in_program(system: System, place: Place) -> str | None:
     """The name of the method or function of a program, or of a module that only programs of its own package may use,
-    that holds a place, where nothing calls it but others of that kind; ``main`` of a module that nothing starts."""
+    that holds a place, where nothing calls it but others of that kind; ``main`` of a module that nothing starts, and a
+    class of which no object is made."""
     is_program = any(program.executable and program.file == place.file for program in system.programs)
     is_program = is_program or is_not_installed(system.workspace, place.file) or _is_of_programs(system, place.file)
     if not is_program:
         return None
-    for uncalled in (uncalled_method, uncalled_main, uncalled_function):
+    for uncalled in (uncalled_method, uncalled_main, uncalled_function, unmade_class):
         if (name := uncalled(system.workspace, place)) is not None:
             return name
     return None
