@@ -271,6 +271,10 @@ def test_a_parameter_that_stands_twice(findings):
     assert (told.place.file, told.place.line) == ("config/p.yaml", 3)
     assert told.message == "'rate' stands twice in this section: 'talker' gets 5.0, and never 1.0"
     assert told.related[0].place.line == 7
+    more = "other:\n  ros__parameters:\n    gain: 1.0\n    name: a\n    gain: 2.0\n    name: b\n    gain: 2.0\n"
+    (told,) = findings("PRM009", LOAD_IT, **{"config/p.yaml": held + more})
+    assert told.message.endswith("'talker' gets 5.0, and never 1.0; so it is with 'gain', 'name'")
+    assert [row.place.line for row in told.related][-2:] == [10, 11]
 
 
 @pytest.mark.parametrize(

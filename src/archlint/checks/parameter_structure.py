@@ -93,12 +93,21 @@ def _twice(row: SetTwice) -> Finding:
     diagnostic = finding(
         "PRM009",
         row.place,
-        f"'{row.name}' stands twice in this section: {whom} gets {row.last!r}, and never {row.value!r}",
+        f"'{row.name}' stands twice in this section: {whom} gets {row.last!r}, and never {row.value!r}{_too(row)}",
         help="remove the line that is not meant",
-        related=(Related(row.last_place, "this one counts"), *_given(row.given)),
+        related=(
+            Related(row.last_place, "this one counts"),
+            *_given(row.given),
+            *(Related(place, f"'{name}' stands twice with two values, too") for name, place in row.others),
+        ),
         identity=(row.file, "twice", row.name),
     )
     return replace(diagnostic, severity=Severity.WARNING)
+
+
+def _too(row: SetTwice) -> str:
+    names = listed([f"'{name}'" for name, _ in row.others])
+    return f"; so it is with {names}" if row.others else ""
 
 
 def _no_value(row: NoValue) -> Finding:

@@ -100,6 +100,8 @@ class SetTwice:
     last_place: Place
     user: str | None
     given: Place | None
+    others: tuple[tuple[str, Place], ...] = ()
+    """The other parameters of the file of which the same is so."""
 
 
 def set_twice(system: System) -> Iterator[SetTwice]:
@@ -109,24 +111,24 @@ def set_twice(system: System) -> Iterator[SetTwice]:
 
 
 def set_twice_in(file: str, user: str | None, given: Place | None, facts: ParameterFacts) -> Iterator[SetTwice]:
-    """The first such parameter of a file."""
-    for section in facts.sections:
-        first = _first_doubled(section)
-        if first is not None:
-            entry, last = first
-            place, last_place = Place(file, *entry.span), Place(file, *last.span)
-            yield SetTwice(file, entry.name, entry.value, last.value, place, last_place, user, given)
-            return
+    """The first such parameter of a file, with the others."""
+    doubled = [(entry, last) for section in facts.sections for entry, last in _doubled(section)]
+    for entry, last in doubled[:1]:
+        place, last_place = Place(file, *entry.span), Place(file, *last.span)
+        others = tuple((other.name, Place(file, *other.span)) for other, _ in doubled[1:])
+        yield SetTwice(file, entry.name, entry.value, last.value, place, last_place, user, given, others)
 
 
-def _first_doubled(section: ParameterSection) -> tuple[ParameterEntry, ParameterEntry] | None:
-    """A parameter's first entry and its last: rcl overwrites a value with one of the same type."""
+def _doubled(section: ParameterSection) -> Iterator[tuple[ParameterEntry, ParameterEntry]]:
+    """An entry and the last one of each such parameter: rcl overwrites a value with one of the same type."""
     last = {entry.name: entry for entry in section.entries}
+    told: set[str] = set()
     for entry in section.entries:
         other = last[entry.name]
-        if type(other.value) is type(entry.value) in _TYPES and not _is_same(entry.value, other.value):
-            return entry, other
-    return None
+        differs = type(other.value) is type(entry.value) in _TYPES and not _is_same(entry.value, other.value)
+        if differs and entry.name not in told:
+            told.add(entry.name)
+            yield entry, other
 
 
 def _is_same(first: object, second: object) -> bool:
