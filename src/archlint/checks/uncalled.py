@@ -29,7 +29,7 @@ def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
     that a later one replaces, or of a line behind the end of its block.
     What a library offers is for others to call, but for what a module without a word of ROS has and no file names."""
     place, workspace = diagnostic.place, system.workspace
-    if uncalled_in_program(system, place) is None and not any(never(workspace, place) for never in _NEVER_REACHED):
+    if not _is_left_in_program(system, place) and not any(never(workspace, place) for never in _NEVER_REACHED):
         yield diagnostic
 
 
@@ -46,17 +46,25 @@ _NEVER_REACHED = (
 
 
 def uncalled_in_program(system: System, place: Place) -> str | None:
-    """The name of the method or function of a program, or of a module that only programs of its own package may use,
-    that holds a place, where nothing calls it but others of that kind; ``main`` of a module that nothing starts, and a
-    class of which no object is made."""
-    is_program = any(program.executable and program.file == place.file for program in system.programs)
-    is_program = is_program or is_not_installed(system.workspace, place.file) or _is_of_programs(system, place.file)
-    if not is_program:
+    """The name of the method of a program, or of a module that only programs of its own package may use, that holds a
+    place, where nothing calls it but methods of that kind; ``main`` of a module that nothing starts."""
+    if not _is_program(system, place.file):
         return None
-    for uncalled in (uncalled_method, uncalled_main, uncalled_function, unmade_class):
-        if (name := uncalled(system.workspace, place)) is not None:
-            return name
-    return None
+    return uncalled_method(system.workspace, place) or uncalled_main(system.workspace, place)
+
+
+def _is_left_in_program(system: System, place: Place) -> bool:
+    """Whether a place is in such a method, in a function that nothing calls, or in a class of which no object is
+    made."""
+    if uncalled_in_program(system, place) is not None:
+        return True
+    idle = (uncalled_function, unmade_class)
+    return _is_program(system, place.file) and any(each(system.workspace, place) is not None for each in idle)
+
+
+def _is_program(system: System, file: str) -> bool:
+    is_program = any(program.executable and program.file == file for program in system.programs)
+    return is_program or is_not_installed(system.workspace, file) or _is_of_programs(system, file)
 
 
 def _is_of_programs(system: System, file: str) -> bool:
