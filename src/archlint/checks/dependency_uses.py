@@ -19,6 +19,7 @@ from archlint.packaging.interface_dependencies import not_handed, types_of_other
 from archlint.packaging.launch_dependencies import packages_of_files, packages_of_includes, runs_of_programs
 from archlint.packaging.manifests import package_around
 from archlint.packaging.optional_packages import optional_packages
+from archlint.packaging.plugin_packages import packages_of_plugins
 from archlint.records import dataclass
 from archlint.ros import packages
 from archlint.workspace.closure import closure
@@ -40,6 +41,7 @@ How = Literal[
     "takes files of",
     "includes headers of",
     "runs the program",
+    "loads a plugin of",
     "builds with",
     "builds its tests with",
     "tests with",
@@ -72,6 +74,7 @@ def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, l
     by_package: dict[str, list[Use]] = {}
     known = _Known(workspace, options)
     at_run_time = {*_imported(workspace), *_launched(workspace), *_in_interfaces(workspace), *_of_launch(workspace)}
+    at_run_time |= {*_loaded(workspace)}
     for use in sorted({*at_run_time, *_in_cpp(workspace), *_in_tests(workspace)}):
         package = known.home(use.place.file)
         if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
@@ -281,6 +284,16 @@ def _of_launch(workspace: WorkspaceIndex) -> Iterator[Use]:
     for place, needed in runs_of_programs(workspace):
         if not _beside_the_code(place.file):
             yield Use(place, needed, "runs the program")
+
+
+def _loaded(workspace: WorkspaceIndex) -> Iterator[Use]:
+    """The packages of the plugins that parameter files and descriptions name, where no package of the workspace
+    declares them: they may be configured in one and started by another."""
+    used = [*packages_of_plugins(workspace)]
+    there = frozenset[str]().union(*(_there(workspace, package) for package in workspace.manifests.values() if used))
+    for place, needed in used:
+        if needed not in there and not _beside_the_code(place.file):
+            yield Use(place, needed, "loads a plugin of")
 
 
 def _in_cpp(workspace: WorkspaceIndex) -> Iterator[Use]:

@@ -211,6 +211,7 @@ _FIRST: dict[How, str] = {
     "includes a launch file of": "a launch file of '{}' is included here",
     "takes files of": "a file of '{}' is named here",
     "includes headers of": "a header of '{}' is included here",
+    "loads a plugin of": "a plugin of '{}' is named here",
     "runs the program": "the program '{}' is run here",
     "builds with": "find_package() asks for '{}' here",
     "builds its tests with": "find_package() asks for '{}' here, for tests",
