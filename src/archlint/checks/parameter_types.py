@@ -13,6 +13,7 @@ from archlint.checks.folding import all_sites, folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.launch_files.moveit_limits import mistyped_limits
 from archlint.launch_files.plugin_parameters import Mistyped, mistyped_values
 from archlint.launch_files.set_parameters import called, set_nodes
 from archlint.launch_files.unloaded_parameter_files import has_no_reader, loaded_files
@@ -31,7 +32,8 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
     """Values from outside whose type is not the declared one."""
     workspace = system.workspace
     if system.launched is None and workspace is not None:
-        yield from (_of_a_plugin(workspace, row) for row in mistyped_values(workspace))
+        for row in (*mistyped_values(workspace), *mistyped_limits(workspace)):
+            yield _of_a_plugin(workspace, row)
     for node, settings in set_nodes(system):
         if may_be_dynamic(system.workspace, node.parameters):
             continue
