@@ -20,7 +20,7 @@ ROBOT = """\
 CONTROLLERS = """\
 controller_manager:
   ros__parameters:
-    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+    arm: {type: arm_controllers/Arm}
 arm:
   ros__parameters:
 """

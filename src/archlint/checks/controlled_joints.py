@@ -1,4 +1,5 @@
-"""PRM012: joints and interfaces of controllers that the robot does not have, and values for joints of others."""
+"""PRM012: joints and interfaces of controllers that the robot does not have, or that they are not given, and values for
+joints of others."""
 
 from __future__ import annotations
 
@@ -16,6 +17,7 @@ from archlint.launch_files.controlled_joints import (
     UnknownJoint,
     wrong_for_controllers,
 )
+from archlint.launch_files.incomplete_controllers import IncompleteController, incomplete_controllers
 from archlint.launch_files.unloaded_parameter_files import has_no_reader
 from archlint.suggestions import listed, meant, nearest
 
@@ -30,9 +32,21 @@ def joint_of_no_robot(system: System, options: Options) -> Iterator[Finding]:
     workspace = system.workspace
     if workspace is None:
         return
-    for row in wrong_for_controllers(workspace):
-        told = _told(row)
+    for told in (*map(_told, wrong_for_controllers(workspace)), *map(_incomplete, incomplete_controllers(workspace))):
         yield replace(told, severity=Severity.INFO) if has_no_reader(workspace, told.place.file) else told
+
+
+def _incomplete(row: IncompleteController) -> Finding:
+    """What a controller lacks is in the group of its file and its own, apart from what it is given in vain."""
+    lacking = " and no ".join(row.lacking)
+    return finding(
+        "PRM012",
+        row.place,
+        f"'{row.controller}' is given no {lacking}, without which {row.kind.rpartition('/')[2]} cannot be configured",
+        help=f"add {' and '.join(row.lacking)} below its ros__parameters",
+        identity=(row.controller, *row.lacking),
+        group=(row.place.file, row.controller, "incomplete", ""),
+    )
 
 
 def _told(row: Mistake) -> Finding:
