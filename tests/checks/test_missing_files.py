@@ -1096,4 +1096,17 @@ def test_what_the_description_of_a_robot_includes(findings, file, lines):
 def test_a_parameter_file_that_gitignore_names_is_of_each_machine(findings, lines: str, told: int):
     launch = node('<param from="$(find-pkg-share robot)/config/local.yaml"/>')
     files = {".gitignore": lines, "config/talker.yaml": "talker: {ros__parameters: {rate: 1.0}}\n"}
-    assert len(findings("LCH004", launch, **files)) == told
+    found = findings("LCH004", launch, **files)
+    assert len(found) == told
+    if lines in ("*.yaml\n", "config/\n"):
+        assert found[0].help.startswith("a .gitignore keeps it out of the repository: commit it with git add -f")
+
+
+def test_the_files_of_a_folder_that_gitignore_leaves_out(findings):
+    launch = "".join(node(f'<param from="$(find-pkg-share robot)/config/{name}.yaml"/>') for name in ("arm", "leg"))
+    (told,) = findings("LCH004", launch, **{".gitignore": "*.yaml\n"})
+    assert told.help == (
+        "a .gitignore keeps them out of the repository: commit them with git add -f, or take out the pattern"
+    )
+    (told,) = findings("LCH004", launch, **{".gitignore": "*.yml\n"})
+    assert told.help == "check the path of the folder; it is relative to the package's installed share folder"

@@ -128,7 +128,18 @@ def _missing(system: System, reference: FileReference, shown: str) -> _Told | No
     there = [] if near or other else _of_one_kind(workspace, package, shown)
     help += f", and its folder has {listed(there)}" if there else ""
     help += _not_installed_either(workspace, package, shown, near) if near else ""
+    if not near and workspace is not None and is_ignored(workspace, _in_workspace(workspace, package, path)):
+        help = _IGNORED
     return _Told(message, help, FileStatus.MISSING, _cause(system, reference, shown))
+
+
+_IGNORED = "a .gitignore keeps it out of the repository: commit it with git add -f, or take out the pattern"
+
+
+def _in_workspace(workspace: WorkspaceIndex, package: str, path: str) -> str:
+    """The shown path of a file, by its path below its package."""
+    installs = workspace.installs.get(package)
+    return posixpath.normpath(posixpath.join("" if installs is None else installs.folder, path))
 
 
 def _installed_as(path: str, source: str) -> str:
@@ -163,7 +174,7 @@ def _is_kept_out(system: System, reference: FileReference, shown: str) -> bool:
     installs = None if system.workspace is None else system.workspace.installs.get(reference.package or "")
     if system.workspace is None or installs is None:
         return False
-    path = posixpath.normpath(posixpath.join(installs.folder, _in_package(system, reference, shown)))
+    path = _in_workspace(system.workspace, installs.package, _in_package(system, reference, shown))
     ignores = is_ignored if reference.kind == FileKind.READ else is_ignored_by_name
     return ignores(system.workspace, path)
 
@@ -270,7 +281,7 @@ def _is_read(system: System, reference: FileReference, written: str) -> bool:
         is_meant = is_meant or _has_settings(reference, path)
         is_meant = is_meant or is_folder_missing(system.workspace, installs.package, path)
         is_meant = is_meant and not has_template(system.workspace, installs.package, path)
-    return is_meant and not is_ignored(system.workspace, posixpath.normpath(posixpath.join(installs.folder, path)))
+    return is_meant and not is_ignored(system.workspace, _in_workspace(system.workspace, installs.package, path))
 
 
 def _has_settings(reference: FileReference, path: str) -> bool:
@@ -316,6 +327,8 @@ def _of_one_cause(several: Sequence[Finding]) -> Finding:
     if status == FileStatus.MISSING:
         message = f"package '{package}' has no folder '{folder}' with these {len(names)} files: {listed(names)}"
         help = "check the path of the folder; it is relative to the package's installed share folder"
+        if all(diagnostic.help == _IGNORED for diagnostic in several):
+            help = _IGNORED.replace("keeps it", "keeps them").replace("commit it", "commit them")
     else:
         message = f"package '{package}' does not install these {len(names)} files: {listed(names)}"
         help = "install the folder that they are in (data_files in setup.py, install(DIRECTORY …) in CMake)"
