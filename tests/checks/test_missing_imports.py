@@ -53,6 +53,16 @@ def said(findings: Callable[..., list[Finding]]) -> Callable[..., list[Finding]]
             "correct the name, or add the file",
         ),
         (
+            "from robot.tools.lens import focus",
+            "there is no module robot.tools: the import fails",
+            "correct the name, or add the file",
+        ),
+        (
+            "import robot.camra.lens.parts",
+            "there is no module robot.camra: the import fails; did you mean robot.camera?",
+            "import robot.camera",
+        ),
+        (
             "from robot.camera import WIDTH, close_camera",
             "robot.camera has no 'close_camera': the import fails with an ImportError",
             "define close_camera there, or import what there is",
@@ -104,6 +114,35 @@ def test_modules_of_a_folder_beside_the_script_are_one_finding(said: Callable[..
 )
 def test_imports_that_find_something_or_are_not_known(said: Callable[..., list[Finding]], line: str) -> None:
     assert said(line) == []
+
+
+@pytest.mark.parametrize(
+    ("line", "files"),
+    [
+        ("from robot.protos.messages_pb2 import Message", {}),
+        ("from robot.protos import messages_pb2", {}),
+        ("from robot.made.lens import focus", {".gitignore": "robot/made/\n"}),
+        ("from robot.kept.lens import focus", {".gitmodules": '[submodule "kept"]\n\tpath = robot/kept\n\turl = u\n'}),
+        ("from robot.tools.lens import focus", {"robot/tools/lens.py": "def focus():\n    pass\n"}),
+        ("from robot.parts.lens import focus", {"robot/parts.so": ""}),
+    ],
+)
+def test_a_folder_of_modules_that_is_there_or_may_be(
+    said: Callable[..., list[Finding]], line: str, files: dict[str, str]
+) -> None:
+    assert said(line, **files) == []
+
+
+def test_a_folder_of_modules_beside_the_python_package(findings: Callable[..., list[Finding]]) -> None:
+    launch = "from robot.scripts.ports import PORT\n\n\ndef generate_launch_description():\n    print(PORT)\n"
+    files = {
+        "setup.py": SETUP,
+        "robot/__init__.py": "",
+        "robot/talker.py": TALKER.format(line=""),
+        "scripts/ports.py": "",
+    }
+    (finding,) = findings("API006", **files, **{"launch/all.launch.py": launch})
+    assert finding.message == "there is no module robot.scripts: the import fails"
 
 
 def test_a_module_that_is_compiled(said: Callable[..., list[Finding]]) -> None:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.kept import kept, kept_for_each_file, once
 from archlint.packaging.entry_points import is_on_disk
+from archlint.packaging.generated_files import is_ignored, submodule_around
 from archlint.packaging.imports_by_path import absolute, installed_name, module_of_package
 from archlint.packaging.imports_of_launch_files import is_installed_package, is_only_beside
 from archlint.packaging.mistaken_imports import interfaces_of, kind_left_out, near_module
@@ -175,14 +176,37 @@ def _absent(
     """A module that no file of the package of its name is."""
     if not _is_whole(workspace, module) or _is_there(workspace, file, module):
         return None
-    above, _, last = module.rpartition(".")
+    first = _first_absent(workspace, file, module)
+    above, _, last = first.rpartition(".")
     if file.relative in _by_console_scripts(workspace) and (there := installed_name(workspace, file, module, names)):
         return MissingImport(place, module, present=there) if names else MissingImport(place, module, near=there)
-    if above not in workspace.code.modules or _is_made_by_a_tool(last) or _is_on_disk(workspace, module):
+    if above not in workspace.code.modules or _is_on_disk(workspace, first):
+        return None
+    if any(map(_is_made_by_a_tool, (last, module.rpartition(".")[2], *names))):
+        return None
+    if first != module and _is_kept_out(workspace, first):
         return None
     beside = [name for name in workspace.code.modules if name.rpartition(".")[0] == above]
     near = nearest(last, [name.rpartition(".")[2] for name in beside])
-    return MissingImport(place, module, near=f"{above}.{near}" if near else "")
+    return MissingImport(place, first, near=f"{above}.{near}" if near else "")
+
+
+def _is_kept_out(workspace: WorkspaceIndex, module: str) -> bool:
+    """Whether git ignores the folder of a module, or has it in a repository of its own that is not here."""
+    [package] = workspace.code.modules[module.partition(".")[0]]
+    installs = workspace.installs.get(package or "")
+    folder = "." if installs is None else installs.folder
+    path = posixpath.normpath(posixpath.join(folder, module.replace(".", "/")))
+    return is_ignored(workspace, path) or submodule_around(workspace, path) is not None
+
+
+def _first_absent(workspace: WorkspaceIndex, file: SourceFile, module: str) -> str:
+    """What is imported first of a dotted name and is not there: ``robot.tools`` for ``robot.tools.camera``."""
+    above = module.rpartition(".")[0]
+    is_there = _is_there(workspace, file, above) or _is_on_disk(workspace, above)
+    if "." not in above or is_there or any(name.startswith(f"{above}.") for name in workspace.code.modules):
+        return module
+    return _first_absent(workspace, file, above)
 
 
 def _absent_names(
