@@ -572,3 +572,106 @@ def test_a_script_that_makes_no_node_of_its_class(findings, script, found):
     assert [finding.message for finding in told] == [
         "'drive.py' of package 'robot' ends at once: scripts/drive.py defines Hand, and makes none"
     ] * found
+
+
+# ------------------------------------------------------------------------------------------- the arguments of ROS
+
+PARSES = """\
+import argparse
+import sys
+
+import rclpy
+from rclpy.node import Node
+from rclpy.utilities import {imports}
+
+
+def main(args=None):
+    parser = argparse.ArgumentParser()
+    parser.add_argument('--speed', type=float, default=0.1)
+    {parse}
+    rclpy.init(args=args)
+    rclpy.spin(Node('talker'))
+"""
+
+
+def _parses(parse: str, imports: str = "get_default_context") -> dict[str, str]:
+    return {"robot/talker.py": PARSES.format(parse=parse, imports=imports)}
+
+
+def test_a_parser_that_is_given_the_arguments_of_ros(findings):
+    (told,) = findings("LCH001", node(), **_parses("given = parser.parse_args()"))
+    assert told.message == (
+        "'talker' of package 'robot' ends here when a launch file starts it: argparse does not know the --ros-args "
+        "that launch adds"
+    )
+    assert (told.place.file.endswith("talker.py"), told.place.line) == (True, 12)
+    assert [row.message for row in told.related] == ["a launch file starts it here"]
+
+
+@pytest.mark.parametrize(
+    "parse",
+    [
+        "given = parser.parse_args(args)",
+        "given = parser.parse_args(sys.argv[1:])",
+        "parser.add_argument('names', nargs='*')\n    given = parser.parse_args()",
+        "group = parser.add_argument_group('x')\n    group.add_argument('--way')\n    given = parser.parse_args()",
+    ],
+)
+def test_other_forms_of_such_a_parser(findings, parse: str):
+    assert len(findings("LCH001", node(), **_parses(parse))) == 1
+
+
+@pytest.mark.parametrize(
+    ("parse", "imports"),
+    [
+        ("given, _ = parser.parse_known_args()", "get_default_context"),
+        ("given = parser.parse_args(remove_ros_args(sys.argv)[1:])", "remove_ros_args"),
+        ("sys.argv = remove_ros_args(sys.argv)\n    given = parser.parse_args()", "remove_ros_args"),
+        ("del sys.argv[1:]\n    given = parser.parse_args()", "get_default_context"),
+        ("sys.argv[1:] = []\n    given = parser.parse_args()", "get_default_context"),
+        ("sys.argv.clear()\n    given = parser.parse_args()", "get_default_context"),
+        ("parser.add_argument('--ros-args', nargs='*')\n    given = parser.parse_args()", "get_default_context"),
+        (
+            "parser.add_argument('rest', nargs=argparse.REMAINDER)\n    given = parser.parse_args()",
+            "get_default_context",
+        ),
+        ("parser.add_argument('rest', nargs='...')\n    given = parser.parse_args()", "get_default_context"),
+        ("if sys.stdin.isatty():\n        given = parser.parse_args()", "get_default_context"),
+        (
+            "try:\n        given = parser.parse_args()\n    except SystemExit:\n        given = None",
+            "get_default_context",
+        ),
+        ("given = parser.parse_args(sys.argv[1:2])", "get_default_context"),
+        ("given = parser.parse_args([])", "get_default_context"),
+    ],
+)
+def test_a_parser_that_can_live_with_them(findings, parse: str, imports: str):
+    assert findings("LCH001", node(), **_parses(parse, imports)) == []
+
+
+def test_a_process_that_is_given_no_arguments_of_ros(findings):
+    launch = "<executable cmd='ros2 run robot talker'/>"
+    assert findings("LCH001", launch, **_parses("given = parser.parse_args()")) == []
+
+
+@pytest.mark.parametrize(
+    ("count", "attributes", "found"),
+    [
+        ("if len(sys.argv) != 2:\n        sys.exit(1)", "args='7'", 1),
+        ("if len(sys.argv) > 2:\n        sys.exit(1)", "args='7'", 1),
+        ("if len(sys.argv) == 2:\n        pass\n    else:\n        return", "args='7'", 1),
+        ("if len(sys.argv) != 2:\n        return", "name='other'", 1),
+        ("if len(sys.argv) != 2:\n        sys.exit(1)", "", 0),  # --ros-args is the second
+        ("if len(sys.argv) < 2:\n        sys.exit(1)", "args='7'", 0),
+        ("if len(sys.argv) != 2:\n        print('what?')", "args='7'", 0),
+        ("if len(remove_ros_args(sys.argv)) != 2:\n        sys.exit(1)", "args='7'", 0),
+        ("if len(sys.argv) != 6:\n        sys.exit(1)", "args='7'", 0),
+        ("if args:\n        if len(sys.argv) != 2:\n            sys.exit(1)", "args='7'", 0),
+    ],
+)
+def test_a_program_that_counts_its_words(findings, count: str, attributes: str, found: int):
+    launch = f"<node pkg='robot' exec='talker' {attributes}/>"
+    imports = "remove_ros_args" if "remove" in count else "get_default_context"
+    rows = findings("LCH001", launch, **_parses(count, imports))
+    assert len(rows) == found
+    assert all("this counts the --ros-args" in row.message for row in rows)

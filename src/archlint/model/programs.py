@@ -47,6 +47,9 @@ class Program:
     reads_command_line: bool = False
     parses_command_line: bool = False
     """Whether it looks at ``sys.argv``, and whether argparse divides that up for it."""
+    strict_parsers: list[Place] = field(default_factory=list)
+    """Where argparse is given that command line as it is, on each way, and ends the program at an option that it does
+    not know."""
     reads_node_names: bool = False
     """Whether it asks a node for its name, which may be another than that in the code."""
     exhausted: bool = False

@@ -20,8 +20,9 @@ from archlint.interpreter.values import (
     as_default,
     one_of,
 )
-from archlint.libraries.python.command_line import known_words
+from archlint.libraries.python.command_line import ROS_ARGUMENTS, known_words
 from archlint.libraries.python.divided_words import CONST, NotDivided, Option, divide, word_of
+from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
@@ -109,7 +110,10 @@ def _parsed(run: Run, receiver: Value, site: CallSite, some: bool) -> tuple[Valu
         return instance, rest
     for name, value in run.store.family(receiver.key, ARGUMENTS).items():
         run.store.set(instance.key, name, value)
-    words = known_words(run, site.args[0] if site.args else site.keywords.get("args", NONE))
+    given = site.args[0] if site.args else site.keywords.get("args", NONE)
+    if not some:
+        _note_strict(run, receiver, site, given)
+    words = known_words(run, given)
     if words is None or run.store.get(receiver.key, OPEN):
         return instance, rest
     options = run.store.family(receiver.key, OPTIONS)
@@ -120,6 +124,36 @@ def _parsed(run: Run, receiver: Value, site: CallSite, some: bool) -> tuple[Valu
     for name, option in options.items():
         run.store.set(instance.key, name, _value(run, option, parsed, name, words))
     return instance, containers.new_list(run, [word_of(text, words) for text in left])
+
+
+def _note_strict(run: Run, receiver: Instance, site: CallSite, given: Value) -> None:
+    """Note a call that gets the whole command line on each way to it, and has no place for options of ROS in it."""
+    options = run.store.family(receiver.key, OPTIONS)
+    if run.store.get(receiver.key, OPEN) or not all(_takes_no_rest(each) for each in options.values()):
+        return
+    if given != NONE and not _is_after_name(site):
+        return
+    is_sure = not run.branch_arms and not site.is_starred and not any(each.tries for each in run.activations)
+    if is_sure and site.expression is not None and run.activations:
+        place = run.place(site.expression.span)
+        if place not in run.program.strict_parsers:
+            run.program.strict_parsers.append(place)
+
+
+def _is_after_name(site: CallSite) -> bool:
+    """Whether ``sys.argv[1:]`` is what is given."""
+    arguments = [] if site.expression is None else site.expression.args
+    match arguments[0].value if len(arguments) == 1 else None:
+        case facts.Subscript(value=words, index=facts.Slice(lower=facts.Literal(value=1), upper=None, step=None)):
+            return words.dotted == "sys.argv"
+    return False
+
+
+def _takes_no_rest(option: Option) -> bool:
+    """Whether an argument takes no option that stands behind it, whatever its name is."""
+    count = option.keywords.get("nargs", NONE)
+    is_plain = isinstance(count, Known) and count.value not in (argparse.REMAINDER, argparse.PARSER)
+    return is_plain and not any(flag.startswith(ROS_ARGUMENTS) for flag in option.flags)
 
 
 def _value(run: Run, option: Option, parsed: dict[str, Any], name: str, words: list[Value]) -> Value:
