@@ -109,3 +109,103 @@ def test_a_try_that_expects_it(judge: Judge):
             except AttributeError:
                 self.mode = Mode.STOP"""
     judge("API002", source(tried))
+
+
+# ----------------------------------------------------------------------------------------------- any other class
+
+CLASSES = """
+    from typing import NamedTuple
+
+    import rclpy
+    from rclpy.node import Node
+
+    class Part:
+        kind = 0
+
+    class Arm(Part):
+        length = 3
+        width: float
+
+        def __init__(self):
+            self.reach = 1
+
+        @classmethod
+        def make(cls):
+            cls.made = 3
+            return cls()
+
+        def count(self):
+            type(self).counted = 4
+
+    class Pair(NamedTuple):
+        left: int
+
+    class Kind(type):
+        pass
+
+    class Odd(metaclass=Kind):
+        pass
+
+    class Open(Unknown):
+        pass
+
+    class Set:
+        pass
+
+    Set.later = 3
+
+    class Robot(Node):
+        RATE = 3
+
+        def __init__(self):
+            super().__init__('robot')
+            self.arm = Arm()
+            self.timer = self.create_timer(1.0, self.tick)
+
+        def tick(self):
+            {line}
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "message", "help"),
+    [
+        (
+            "print(Arm.lenght)",
+            "class Arm has no 'lenght': this line fails with an AttributeError; did you mean 'length'?",
+            "write length",
+        ),
+        ("print(Arm.PATH_SPACE)", "class Arm has no 'PATH_SPACE': this line fails with an AttributeError", ""),
+        (
+            "print(Arm.reach)",
+            "class Arm has no 'reach': this line fails with an AttributeError",
+            "methods assign self.reach: write the variable that holds an object of the class",
+        ),
+        ("print(Robot.arm)", "class Robot has no 'arm': this line fails with an AttributeError", ""),
+    ],
+)
+def test_what_a_class_does_not_have(judge: Judge, line: str, message: str, help: str):
+    (finding,) = judge("API002", CLASSES.replace("{line}", f"{line}  # here"))
+    assert finding.message == message
+    assert not help or finding.help == help
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "print(Arm.length, Arm.kind, Arm.width, Arm.make, Arm.made, Arm.counted, Arm.__name__, Arm.mro())",
+        "print(Pair.left, Pair.nothing, Odd.nothing, Open.nothing, Set.later, Robot.RATE, Robot.create_timer)",
+        "print(Arm.nothing if hasattr(Arm, 'nothing') else 0)",
+        "Arm.nothing = 3; print(Arm.nothing)",
+        "Arm = self.arm; print(Arm.reach)",
+    ],
+)
+def test_what_a_class_has_or_may_have(judge: Judge, line: str):
+    judge("API002", CLASSES.replace("{line}", line))

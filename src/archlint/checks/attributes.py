@@ -183,6 +183,8 @@ def _cure(row: AbsentMember) -> str:
             "; the whole seconds alone are to_msg().sec" if row.name == _SECONDS and not row.near.isidentifier() else ""
         )
         return f"write {row.near}{whole}"
+    if row.of_objects:
+        return f"methods assign self.{row.name}: write the variable that holds an object of the class"
     if row.owner == _GOAL_HANDLE:
         return f"write request.{row.name} if it is a field of the goal, else correct the name"
     if not row.called:

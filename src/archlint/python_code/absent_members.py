@@ -39,6 +39,8 @@ class AbsentMember:
     """Whether an object of the class is meant: something is looked for in it."""
     methods: tuple[str, ...] = ()
     """What an object of a class of the workspace can be called for, in the order of the source."""
+    of_objects: bool = False
+    """Whether a class is asked for what only its objects have."""
 
 
 def absent_members(workspace: WorkspaceIndex) -> Iterator[AbsentMember]:

@@ -1,13 +1,15 @@
-"""Members that an enum of the workspace does not have: ``State.IDEL``, ``self.State.IDEL``.
+"""Members that an enum of the workspace, or another class, does not have: ``State.IDEL``, ``self.State.IDEL``.
 
 What an enum has stands in its body alone: no code adds a member later.  One with bases beside those of ``enum`` is left
-out, and so is one whose body asks for its own names.
+out, and so is one whose body asks for its own names.  Another class has what its bodies bind, and what any code assigns
+to something else than ``self``.
 """
 
 from __future__ import annotations
 
 import enum
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -21,9 +23,10 @@ from archlint.python_code.class_chains import (
     kept_for_each_class,
     targets_of,
 )
+from archlint.python_code.early_attribute_reads import gives
 from archlint.python_code.own_calls import class_meant_by
 from archlint.python_code.tried_code import tried_for
-from archlint.python_code.unassigned_attributes import names_of_body
+from archlint.python_code.unassigned_attributes import may_get, members_of, names_of_body
 from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.syntax import facts
@@ -33,6 +36,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
 _ENUMS = frozenset({"enum.Enum", "enum.Flag", "enum.IntEnum", "enum.IntFlag", "enum.StrEnum"})
+_PLAIN = frozenset({"object", "abc.ABC"})
 _OF_ALL = frozenset(dir(enum.IntFlag)).union(dir(enum.EnumMeta), dir(enum.Enum), dir(str))
 _MAKES_NAMES = frozenset({"exec", "locals", "setattr", "vars"})
 
@@ -61,12 +65,38 @@ def absent_enum_members(workspace: WorkspaceIndex) -> Iterator[AbsentMember]:
 
 
 def _judged(workspace: WorkspaceIndex, path: str, read: _Read, cls: ClassInFile) -> Iterator[AbsentMember]:
-    has = _members(workspace, cls)
     file_facts = workspace.facts_at(path)
-    if has is None or read.name in has or file_facts is None or read.name in _named_in(file_facts):
+    if file_facts is None or read.name in _texts_in(file_facts):
         return
-    near = nearest(read.name, sorted(has)) or ""
-    yield AbsentMember(Place(path, *read.span), f"enum {cls.code.name}", read.name, near, False)
+    has, kind = _members(workspace, cls), "enum"
+    if has is None:
+        has, kind = _of_plain_class(workspace, cls, read.name), "class"
+    elif read.name in _assigned_in(file_facts):
+        return
+    if has is None or read.name in has:
+        return
+    of_objects = kind == "class" and any(read.name in gives(each.code) for each in chain_of(workspace, cls).own)
+    near = "" if of_objects else nearest(read.name, sorted(has)) or ""
+    owner = f"{kind} {cls.code.name}"
+    yield AbsentMember(Place(path, *read.span), owner, read.name, near, False, of_objects=of_objects)
+
+
+def _of_plain_class(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> frozenset[str] | None:
+    """What a class itself has, which its objects have besides what their methods assign; None where it may have more,
+    or some code may give it the name."""
+    chain = chain_of(workspace, cls)
+    foreign = members_of(workspace, replace(chain, own=[]))
+    if any(not (path in _PLAIN or path.startswith("rclpy.")) for path in chain.foreign) or foreign is None:
+        return None
+    if members_of(workspace, chain) is None or may_get(workspace, cls, name):
+        return None
+    if any(each.code.decorators or _has_metaclass(each.code) for each in chain.own):
+        return None
+    return frozenset(dir(type)).union(*foreign, *(names_of_body(each.code) for each in chain.own))
+
+
+def _has_metaclass(code: facts.Class) -> bool:
+    return any(base.keyword or base.star for base in code.bases)
 
 
 def _members(workspace: WorkspaceIndex, cls: ClassInFile) -> frozenset[str] | None:
@@ -122,11 +152,16 @@ def _has_another(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool
 
 
 @once_for
-def _named_in(file_facts: facts.Facts) -> frozenset[str]:
-    """The texts of a file, which ``hasattr()`` may ask for, and the attributes that it assigns."""
+def _texts_in(file_facts: facts.Facts) -> frozenset[str]:
+    """The texts of a file, which ``hasattr()`` may ask for."""
     texts = (part.value for part in everything_in(file_facts.body, facts.Literal) if isinstance(part.value, str))
-    assigned = (target.attr for target in targets_of(file_facts.body) if isinstance(target, facts.Attribute))
-    return frozenset(texts).union(assigned)
+    return frozenset(texts)
+
+
+@once_for
+def _assigned_in(file_facts: facts.Facts) -> frozenset[str]:
+    """The attributes that a file assigns."""
+    return frozenset(target.attr for target in targets_of(file_facts.body) if isinstance(target, facts.Attribute))
 
 
 __all__ = ["absent_enum_members"]
