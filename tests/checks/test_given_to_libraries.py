@@ -96,3 +96,16 @@ def test_a_base_class_that_hands_itself_on(told):
 )
 def test_what_gives_a_node_nothing(told, imports: str, given: str):
     assert told(imports, given, **{"robot/helper.py": "def note(node):\n    print(node)\n"}) == ALL
+
+
+def test_a_static_method_has_no_object_to_give(told):
+    imports, given = "import lengths as np", "self.length([1.0])"
+    code = NODE.format(imports=imports, given=given, base="Node")
+    plain = "    def length(sides):\n        return np.norm(sides)\n\n"
+    static = code.replace("def main():", f"    @staticmethod\n{plain}def main():")
+    assert told(imports, given, **{"robot/talker.py": static}) == sorted(ALL)
+    assert told(imports, given, **{"robot/talker.py": code.replace("def main():", f"{plain}def main():")}) == []
+
+
+def test_numpy_only_calculates(told):
+    assert told("import numpy as np", "np.array(self)") == sorted(ALL)

@@ -29,6 +29,10 @@ if TYPE_CHECKING:
 
 _LIBRARIES_OF_ROS = frozenset({"launch", "launch_ros", "message_filters", "rclpy", "tf2_geometry_msgs", "tf2_ros"})
 """Modules whose tables say what they do with what they are given."""
+_CALCULATE = frozenset(
+    {"PIL", "cv2", "numpy", "pandas", "scipy", "shapely", "skimage", "sklearn", "transforms3d", "yaml"}
+)
+"""Libraries whose functions only calculate with what they are given."""
 
 
 def gives_itself_to_library(workspace: WorkspaceIndex, chain: Chain) -> bool:
@@ -57,9 +61,8 @@ def may_get_more(workspace: WorkspaceIndex, place: Place) -> bool:
 def _hands_itself_on(code: facts.Class) -> bool:
     """Whether a method of a class gives the object to any call at all: most do not."""
     return any(
-        argument.value.variable == method.params[0].name
-        for method in methods_of(code)
-        if method.params
+        argument.value.variable == name
+        for name, method in _methods_with_object(code)
         for call in everything_in(method.body, facts.Call)
         for argument in call.args
     )
@@ -73,10 +76,15 @@ def _gives(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
 
 def _gives_by_methods(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
     return any(
-        _hands_on(workspace, cls.file, method.params[0].name, method, cls.code)
-        for method in methods_of(cls.code)
-        if method.params
+        _hands_on(workspace, cls.file, name, method, cls.code) for name, method in _methods_with_object(cls.code)
     )
+
+
+def _methods_with_object(code: facts.Class) -> Iterator[tuple[str, facts.Function]]:
+    """The methods that are given the object, or its class, with the name that they have for it."""
+    for method in methods_of(code):
+        if method.params and not any(decorator.last_name == "staticmethod" for decorator in method.decorators):
+            yield method.params[0].name, method
 
 
 def _hands_on(
@@ -160,7 +168,7 @@ def _imported(file_facts: facts.Facts) -> dict[str, str]:
 
 def _is_library(workspace: WorkspaceIndex, file: str, module: str) -> bool:
     top = module.partition(".")[0]
-    if top in sys.stdlib_module_names or top in _LIBRARIES_OF_ROS or top in packages.table().names:
+    if top in sys.stdlib_module_names or top in _LIBRARIES_OF_ROS | _CALCULATE or top in packages.table().names:
         return False
     return top not in workspace.code.top_modules and workspace.code.path_of_import(file, top) is None
 
