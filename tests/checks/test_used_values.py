@@ -261,3 +261,99 @@ def test_the_status_of_a_module_that_an_entry_point_starts_is_nobodys(findings) 
     asks = GUARDED.replace("rclpy.init()", "rclpy.init()\n    if not stop():\n        return")
     (told,) = findings("API001", **{"robot/talker.py": asks + "\n\ndef stop():\n    rclpy.shutdown()\n"})
     assert told.message == "stop() returns None: this condition always holds"
+
+
+# --------------------------------------------------------------------------------- what functions return, looked into
+
+RESULTS = """
+import rclpy
+from rclpy.node import Node
+
+
+class Pilot(Node):
+    def __init__(self):
+        super().__init__('pilot')
+        self.goal = [0.0] * 3
+        self.timer = self.create_timer(1.0, self.fly)
+
+    def fly(self):
+        {lines}
+
+    def pose(self):
+        if self.goal[0]:
+            return 1.0, 2.0
+        return None, None
+
+    def table(self):
+        if self.goal[1]:
+            return {'a': 1}
+
+    def names(self):
+        names = []
+        names.append('a')
+        return names
+
+    def way(self):
+        return [0.0] * len(self.goal)
+
+    def either(self):
+        return (1.0, 2.0) if self.goal[2] else self.goal
+
+    def mixed(self):
+        if self.goal[2]:
+            return self.timer
+        return 1.0, 2.0
+
+    def factor(self):
+        return self.timer
+
+    async def later(self):
+        return 1.0, 2.0
+
+
+def length():
+    return 3
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Pilot())
+
+
+main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("lines", "message"),
+    [
+        ("print(self.pose().x)  # here", "self.pose() returns a tuple: it has no 'x'"),
+        ("pose = self.pose()\n        print(pose.x)  # here", "self.pose() returns a tuple: it has no 'x'"),
+        ("table = self.table()\n        print(table.a)  # here", "self.table() returns a dict: it has no 'a'"),
+        ("self.names().add('b')  # here", "self.names() returns a list: it has no 'add'"),
+        ("print(self.way().x)  # here", "self.way() returns a list: it has no 'x'"),
+        ("print(length().x)  # here", "length() returns a number: it has no 'x'"),
+        ("self.goal.x = 1.0  # here", "self.goal is a list: it has no 'x'"),
+        ("goal = [1.0] + [2.0]\n        print(goal.x)  # here", "goal is a list: it has no 'x'"),
+    ],
+)
+def test_an_attribute_of_what_a_function_returns(judge: Judge, lines: str, message: str):
+    (finding,) = judge("API002", RESULTS.replace("{lines}", lines))
+    assert finding.message == f"{message}, and this line fails with an AttributeError"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "print(self.pose()[0], self.pose().count(1.0), self.names().append('b'), self.table().items())",
+        "print(self.either().x, self.mixed().x)",
+        "pose = self.pose()\n        if isinstance(pose, tuple):\n            return\n        print(pose.x)",
+        "pose = self.pose()\n        print(pose.x if hasattr(pose, 'x') else pose[0])",
+        "pose = self.pose()\n        pose = Pilot()\n        print(pose.goal)",
+        "try:\n            print(self.pose().x)\n        except AttributeError:\n            pass",
+        "goal = self.goal * self.factor()\n        print(goal.x)",
+        "goal = [1.0, 2.0] * self.factor()\n        print(goal.x)",
+    ],
+)
+def test_what_such_a_result_has_or_may_have(judge: Judge, lines: str):
+    judge("API002", RESULTS.replace("{lines}", lines))

@@ -15,6 +15,7 @@ from archlint.python_code.hidden_messages import HiddenMessage, hidden_messages
 from archlint.python_code.misused_kinds import Misuse, MisusedKind, misused_kinds
 from archlint.python_code.parameter_values import WrongParameter, wrong_parameters
 from archlint.python_code.plain_kinds import Kind
+from archlint.python_code.plain_results import LookedIntoResult, looked_into_results
 from archlint.python_code.refused_defaults import RefusedDefault, refused_defaults
 from archlint.python_code.text_sums import TextSum, text_sums
 from archlint.python_code.used_nothing import Use, UsedNothing, uses_of_nothing
@@ -63,6 +64,21 @@ def misused_kind_findings(system: System) -> Iterator[Finding]:
     for row in () if system.workspace is None else misused_kinds(system.workspace):
         if row.misuse is Misuse.LOOKS_INTO:
             yield from unless_uncalled(system, _misused(row, "API002"))
+    for result in () if system.workspace is None else looked_into_results(system.workspace):
+        yield from unless_uncalled(system, _looked_into(result))
+
+
+def _looked_into(row: LookedIntoResult) -> Finding:
+    return finding(
+        "API002",
+        row.place,
+        f"{row.name}() returns {row.kind}: it has no '{row.attribute}', and this line fails with an AttributeError",
+        help=f"use the result of {row.name}() as {row.kind}, or let it return an object",
+        related=[Related(row.returned, f"this is what {row.name}() returns")],
+        identity=(row.name, row.attribute, "result"),
+        group=(OF_MODULE, PLAIN, row.place.file, row.name, row.kind),
+        fails=True,
+    )
 
 
 def _misused(row: MisusedKind, code: str) -> Finding:

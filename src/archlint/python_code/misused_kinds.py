@@ -30,9 +30,10 @@ _TYPES: dict[Kind, tuple[type, ...]] = {
     Kind.TUPLE: (tuple,),
     Kind.DICT: (dict,),
 }
-_HAVE = {kind: frozenset(name for type_ in types for name in dir(type_)) for kind, types in _TYPES.items()}
-_HAVE[Kind.ARRAY] = ATTRIBUTES
-_ASKS = frozenset({"callable", "getattr", "hasattr", "isinstance", "type"})
+HAVE = {kind: frozenset(name for type_ in types for name in dir(type_)) for kind, types in _TYPES.items()}
+HAVE[Kind.ARRAY] = ATTRIBUTES
+"""The attributes of each kind of values."""
+ASKS = frozenset({"callable", "getattr", "hasattr", "isinstance", "type"})
 
 
 _Use = Union[facts.Attribute, facts.Call, facts.Subscript]
@@ -90,7 +91,7 @@ def _rows(code: facts.Facts) -> list[_Row]:
     for number, cls in enumerate(classes_of(code)):
         of_class = values_of_self(cls)
         attributes = {
-            name: kind for name, values in of_class.items() if (kind := kind_of_all(values, {}, or_none=True)) in _HAVE
+            name: kind for name, values in of_class.items() if (kind := kind_of_all(values, {}, or_none=True)) in HAVE
         }
         asked = _asked_in([cls])
         for function in methods_of(cls) if attributes else ():
@@ -110,7 +111,7 @@ def _in_function(function: facts.Function, expecting: set[Itself[facts.Base]]) -
     shared = {name for statement in everything_in(function.body, facts.Global) for name in statement.names}
     values = values_in(function)
     kinds = {name: kind_of_all(rows, values) for name, rows in values.items() if name not in shared}
-    known = {name: kind for name, kind in kinds.items() if kind in _HAVE}
+    known = {name: kind for name, kind in kinds.items() if kind in HAVE}
     asked = _asked_in(function.body if known else [])
     for part, of, misuse, name in _uses(function) if known else ():
         variable = of.variable
@@ -144,7 +145,7 @@ def _uses(
 def _goes_wrong(kind: Kind, misuse: Misuse, name: str) -> bool:
     match misuse:
         case Misuse.LOOKS_INTO:
-            return name not in _HAVE[kind] and not (kind is Kind.ARRAY and name.startswith("__"))
+            return name not in HAVE[kind] and not (kind is Kind.ARRAY and name.startswith("__"))
         case Misuse.CALLS:
             return True
     return kind in (Kind.NONE, Kind.NUMBER, Kind.BOOL)
@@ -166,7 +167,7 @@ def _asked_in(body: Sequence[facts.Base]) -> _Asked:
     truths: list[facts.Base] = []
     for part in everything_in(body):
         truths += tests_in(part)
-        if isinstance(part, facts.Call) and part.func.last_name in _ASKS:
+        if isinstance(part, facts.Call) and part.func.last_name in ASKS:
             kinds += [argument.value for argument in part.args]
     return _Asked(_names_in(kinds), _names_in(truths))
 
@@ -176,4 +177,4 @@ def _names_in(parts: Sequence[facts.Base]) -> frozenset[str]:
     return frozenset(names - {""})
 
 
-__all__ = ["Misuse", "MisusedKind", "misused_kinds"]
+__all__ = ["ASKS", "HAVE", "Misuse", "MisusedKind", "misused_kinds"]

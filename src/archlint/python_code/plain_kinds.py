@@ -147,9 +147,25 @@ def kind_of(value: facts.Expr, variables: Values, depth: int = _DEPTH) -> Kind |
             if kinds == {Kind.NUMBER}:
                 return Kind.NUMBER
             return Kind.NUMERIC if Kind.NUMBER in kinds else None
+        case facts.Binary(op="*" | "+" as op, left=left, right=right) if depth:
+            return _joined(op, left, right, variables, depth - 1)
         case facts.Name(id=name) if depth and name in variables:
             return kind_of_all(variables[name], {})
     return None
+
+
+def _joined(op: str, left: facts.Expr, right: facts.Expr, variables: Values, depth: int) -> Kind | None:
+    """What lists, tuples and numbers come to: two of them, ``[0.0] * 3``, and ``[0.0] * joints``."""
+    kind, other = kind_of(left, variables, depth), kind_of(right, variables, depth)
+    if kind is other is Kind.NUMBER:
+        return kind
+    if op == "+":
+        return kind if kind is other and kind in (Kind.LIST, Kind.TUPLE) else None
+    if kind not in (Kind.LIST, Kind.TUPLE):
+        left, right, kind, other = right, left, other, kind
+    is_one = isinstance(left, facts.Sequence) and len(left.elements) == 1  # nobody multiplies an array by it
+    is_count = other is Kind.NUMBER or (is_one and isinstance(right, (facts.Name, facts.Attribute)))
+    return kind if kind in (Kind.LIST, Kind.TUPLE) and is_count else None
 
 
 __all__ = ["Kind", "Values", "assigned_by", "kind_of", "kind_of_all", "values_in", "values_of_self"]
