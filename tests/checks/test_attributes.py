@@ -834,3 +834,40 @@ def test_hasattr_of_what_nothing_assigns(judge: Judge):
 )
 def test_hasattr_of_what_may_be_there(judge: Judge, source: str):
     judge("API002", source)
+
+
+OTHER_CLASS = """
+    import rclpy
+    from rclpy.node import Node
+
+    class Machine:
+        def toggle(self):
+            pass
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.machine = Machine()
+            self.timer = self.create_timer(1.0, self.tick)
+            {given}
+
+        def tick(self):
+            self.machine.toggle()
+            self.toggle(){here}
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+    main()
+"""
+
+
+def test_a_method_that_only_another_class_has(judge: Judge):
+    (finding,) = judge("API002", OTHER_CLASS.replace("{given}", "pass").replace("{here}", "  # here"))
+    assert finding.message == "nothing assigns 'toggle' of class Robot: this line fails with an AttributeError"
+
+
+@pytest.mark.parametrize("given", ["self.toggle = self.machine.toggle", "setattr(self, 'toggle', print)"])
+def test_a_method_that_the_object_is_given(judge: Judge, given: str):
+    judge("API002", OTHER_CLASS.replace("{given}", given).replace("{here}", ""))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -46,8 +46,9 @@ UNASSIGNED = "unassigned"
 """The group of findings about attributes of one class that nothing assigns, and that are no slips."""
 
 
-def attribute_findings(system: System) -> Iterator[Finding]:
-    """The findings about attributes, but for what is said of a callback or of a call that rclpy refuses."""
+def attribute_findings(system: System, refused: Set[tuple[str, str]] = frozenset()) -> Iterator[Finding]:
+    """The findings about attributes, but for what is said of a callback or of a call that rclpy refuses.  ``refused``
+    are the files of such calls with the names."""
     if system.workspace is None:
         return
     yield from map(_overwritten, overwritten_properties(system.workspace))
@@ -57,7 +58,7 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     yield from map(_action_overwritten, overwritten_actions(system.workspace))
     of_objects = {absent.place: absent for absent in absent_of_objects(system)}
     of_objects.update((absent.place, absent) for absent in absent_members(system.workspace))
-    unassigned = list(_unassigned_findings(system))
+    unassigned = list(_unassigned_findings(system, refused))
     lacking = {(f"class {told.identity[0]}", told.identity[1]) for told in unassigned}
     asked_of: dict[tuple[str, str], list[Place]] = {}
     for absent in (*of_objects.values(), *absent_enum_members(system.workspace)):
@@ -89,13 +90,10 @@ def attribute_findings(system: System) -> Iterator[Finding]:
         yield from unless_uncalled(system, _indexed(indexed))
 
 
-def _unassigned_findings(system: System) -> Iterator[Finding]:
+def _unassigned_findings(system: System, refused: Set[tuple[str, str]]) -> Iterator[Finding]:
     """The findings about attributes of ``self`` that nothing assigns."""
     assert system.workspace is not None
-    told = {(callback.place.file, callback.missing) for callback in system.callbacks if callback.missing}
-    told |= {
-        (call.place.file, name) for run in system.programs for call in run.refused_calls for name in call.parameters
-    }
+    told = {(callback.place.file, callback.missing) for callback in system.callbacks if callback.missing} | refused
     for read in unassigned_attributes(system.workspace):
         if (read.place.file, read.name) not in told:
             diagnostic = _unassigned(system.workspace, read)

@@ -81,7 +81,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     named = [(call, (call.parameters or ("",))[0]) for call in absent]
     judged = [row for row in named if not may_have(system, row[0].place, row[1], of_library=_is_open(row[0]))]
     told = {(call.place.file, call.place.line, name) for call, name in judged}
-    for diagnostic in attribute_findings(system):
+    for diagnostic in attribute_findings(system, {(file, name) for file, _, name in told}):
         # A class of the workspace and the node that it is lack the same.
         if (diagnostic.place.file, diagnostic.place.line, diagnostic.identity[-1]) not in told:
             yield diagnostic
