@@ -159,3 +159,89 @@ def test_a_synchronizer_that_somebody_may_use(judge: Judge, start: str):
 def test_an_attribute_that_another_file_may_use(findings: Callable[..., list[Finding]], other: str, number: int):
     talker = node(start="self.both = TimeSynchronizer([left, right], 10)")
     assert len(findings("EXE011", **{"robot/talker.py": talker, "robot/other.py": other})) == number
+
+
+# --------------------------------------------------------------------------------------- one that another one replaces
+
+REPLACED = """
+import rclpy
+from rclpy.action import ActionClient
+from rclpy.node import Node
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+from test_msgs.action import Fibonacci
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.ends = []
+{lines}
+
+    def use(self):
+        self.end.publish(String())
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Robot())
+"""
+PUBLISHER = "self.end = self.create_publisher(String, '{}', 10)"
+
+
+def replaced(judge: Judge, *lines: str) -> list[Finding]:
+    return judge("EXE011", REPLACED.replace("{lines}", indent("\n".join(lines), " " * 8)))
+
+
+def test_a_publisher_that_another_one_replaces(judge: Judge):
+    first, second = PUBLISHER.format("state"), PUBLISHER.format("mode")
+    (finding,) = replaced(judge, f"{first}  # here", "self.count = 0", second)
+    assert finding.message == (
+        "nothing can use this publisher of 'state': self.end gets another one before anything has used it"
+    )
+    assert [row.place.line for row in finding.related] == [15]
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("end = self.create_client(Trigger, 'a')", "end = self.create_client(Trigger, 'b')\nprint(end)"),
+        ("self.end = ActionClient(self, Fibonacci, 'a')", "self.end = ActionClient(self, Fibonacci, 'b')"),
+    ],
+)
+def test_a_client_that_another_one_replaces(judge: Judge, first: str, second: str):
+    replaced(judge, f"{first}  # here", second)
+
+
+@pytest.mark.parametrize(
+    "between",
+    [
+        "self.ends.append(self.end)",
+        "self.end.publish(String())",
+        "self.use()",
+        "state = self.end",
+        "if self.ends:\n    self.use()",
+    ],
+)
+def test_a_publisher_that_is_used_in_between(judge: Judge, between: str):
+    replaced(judge, PUBLISHER.format("state"), between, PUBLISHER.format("mode"))
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        (PUBLISHER.format("state"), PUBLISHER.format("state")),
+        ("self.end = self.create_publisher(String, name(), 10)", PUBLISHER.format("mode")),
+        ("if rclpy.ok():", "    " + PUBLISHER.format("state"), "else:", "    " + PUBLISHER.format("mode")),
+        (PUBLISHER.format("state"), "if rclpy.ok():", "    " + PUBLISHER.format("mode")),
+        (PUBLISHER.format("state"), "self.end = self.create_client(Trigger, 'b')"),
+        ("self.other = self.create_publisher(String, 'a', 10)", "self.other = self.create_publisher(String, 'b', 10)"),
+        (
+            "self.sub = self.create_subscription(String, 'a', print, 10)",
+            "self.sub = self.create_subscription(String, 'b', print, 10)",
+        ),
+        ("self.timer = self.create_timer(1.0, self.use)", "self.timer = self.create_timer(2.0, self.use)"),
+    ],
+)
+def test_ends_that_work_or_may_be_meant(judge: Judge, lines: tuple[str, ...]):
+    replaced(judge, *lines)

@@ -14,6 +14,7 @@ from archlint.checks.wait_words import related_path
 from archlint.execution.callback_roles import callback_words, runs_in_executor
 from archlint.execution.early_lookups import EarlyLookup, early_lookups
 from archlint.finding import Finding, Related
+from archlint.python_code.overwritten_ends import OverwrittenEnd, overwritten_ends
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall
@@ -22,11 +23,13 @@ if TYPE_CHECKING:
 
 @rule("EXE011", scope=Scope.CODE)
 def discarded_entity(system: System, options: Options) -> Iterator[Finding]:
-    """Transform buffers that are new when they are asked, and synchronizers that nobody listens to."""
+    """Transform buffers that are new when they are asked, synchronizers that nobody listens to, and publishers and
+    clients that another one replaces."""
     yield from one_for_each_place(
         (
             *(_too_new(system, lookup) for lookup in early_lookups(system)),
             *(_idle(system, call) for _, call in idle_filters(system)),
+            *(_replaced(end) for end in (() if system.workspace is None else overwritten_ends(system.workspace))),
         )
     )
 
@@ -61,6 +64,18 @@ def _idle(system: System, call: ApiCall) -> Finding:
         node=node_name(system, call.context.node),
         identity=(call.function, kind),
         group=(call.place.file, call.function, "filter", str(call.place.line)),
+    )
+
+
+def _replaced(end: OverwrittenEnd) -> Finding:
+    return finding(
+        "EXE011",
+        end.place,
+        f"nothing can use this {end.kind} of '{end.name}': {end.target} gets another one before anything has used it",
+        help="give one of the two another name",
+        related=[Related(end.again, "this one takes its place")],
+        identity=(end.target, end.name),
+        group=(end.place.file, "replaced", end.target),
     )
 
 
