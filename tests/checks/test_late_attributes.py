@@ -320,12 +320,16 @@ class Pilot(Node):
         self.odom = None
         self.cmd: Twist | None = None
         self.start, self.ready = None, False
+        self.seen = []
+        self.table = {'seen': False}
         self.pub = self.create_publisher(Twist, 'command', 10)
         self.sub = self.create_subscription(Odometry, 'odom', self.on_odom, 10)
         self.timer = self.create_timer(0.1, self.steer)
 
     def on_odom(self, msg):
         self.odom, self.cmd, self.ready = msg, Twist(), True
+        self.seen.append(msg)
+        self.table['seen'] = True
         {odom}
 
     def steer(self):
@@ -356,7 +360,7 @@ def test_a_timer_that_uses_what_is_none_before_the_first_message(judge: Judge):
     )
     assert finding.help == "do without self.odom here as long as it is None"
     assert finding.severity is Severity.WARNING
-    assert [row.place.line for row in finding.related] == [20]
+    assert [row.place.line for row in finding.related] == [22]
 
 
 @pytest.mark.parametrize(
@@ -408,6 +412,9 @@ def test_what_fails_for_none(judge: Judge, use: str):
         "if self.odom is None:\n    self.odom = Odometry()\nprint(self.odom.pose)",
         "self.odom.__class__",
         "def later():\n    print(self.odom.pose)\nself.later = later",
+        "for each in self.seen:\n    print(each, self.odom.pose)",
+        "if len(self.seen) > 0:\n    print(self.odom.pose)",
+        "if self.table['seen']:\n    print(self.odom.pose)",
     ],
 )
 def test_what_asks_for_none_or_does_not_mind(judge: Judge, steer: str):
@@ -439,6 +446,28 @@ def test_what_the_constructor_fills(judge: Judge, first: str):
             "    def is_ready(self):", "    def reset(self):\n        self.odom = Odometry()\n\n    def is_ready(self):"
         ),
     )
+
+
+SPEED = """self.other = self.create_subscription(Float32, 'speed', self.on_speed, 10)
+
+    def on_speed(self, msg):
+        {line}"""
+
+
+@pytest.mark.parametrize(
+    ("line", "here"),
+    [
+        ("self.go = True", "  # here"),
+        ("if self.odom is not None:\n            self.go = True", ""),
+        ("self.go.append(self.odom)", ""),
+    ],
+)
+def test_a_flag_of_another_message(judge: Judge, line: str, here: str):
+    source = _empty(f"if self.go:\n    print(self.odom.pose){here}").replace(
+        "from rclpy.node", "from std_msgs.msg import Float32\nfrom rclpy.node"
+    )
+    timer = "self.timer = self.create_timer(0.1, self.steer)"
+    judge("API002", source.replace(timer, f"{timer}\n        self.go = []\n        {SPEED.replace('{line}', line)}"))
 
 
 def test_what_the_program_gives_the_node(judge: Judge):

@@ -293,7 +293,8 @@ def _row(
     if late is Late.CALLED and not _comes_later(role, set().union(*called.values())):
         return None
     asked = {*read.asks, *_attributes_in(work, work.after([name for name in read.asks if name in work.methods]))}
-    if not all(_is_of_others(work, setters.get(name, {}), tops | {reader}) for name in asked):
+    changing = {name: {*setters.get(name, ()), *_changed_in(work).get(name, ())} for name in asked}
+    if not all(_is_of_others(work, changing[name], tops | {reader}, read.name) for name in asked):
         return None
     setter, assigned = next(iter(own.items()))
     return _Row(read.name, read.span, late, reader, role, setter, assigned, read.is_sure, frozenset(leading))
@@ -305,12 +306,27 @@ def _attributes_in(work: MethodsAtWork, methods: Collection[str]) -> set[str]:
     return {name for part in parts if (name := of_self(part)) is not None}
 
 
-def _is_of_others(work: MethodsAtWork, setters: Mapping[str, facts.Span], callbacks: set[str]) -> bool:
+def _changed_in(work: MethodsAtWork) -> dict[str, set[str]]:
+    """The methods, but for the constructor, that may change what an attribute holds: ``self.queue.append(…)``,
+    ``self.table[0] = …``."""
+    changed: dict[str, set[str]] = {}
+    for method, function in work.methods.items():
+        calls = (call.func for call in everything_in(function.body, facts.Call))
+        changes = [func.value for func in calls if isinstance(func, facts.Attribute)]
+        changes += [target.value for target in targets_of(function.body) if isinstance(target, facts.Subscript)]
+        for part in changes if method != INIT else ():
+            name = of_self(part)
+            if name is not None:
+                changed.setdefault(name, set()).add(method)
+    return changed
+
+
+def _is_of_others(work: MethodsAtWork, setters: Collection[str], callbacks: set[str], wanted: str) -> bool:
     """Whether an attribute for which a condition asks says nothing of what some callbacks have done: only the
-    constructor and other messages give it a value."""
+    constructor and other messages give it a value, and these do not ask for the attribute that is ``wanted``."""
     later = work.leading_to([method for method in setters if method not in work.after([INIT])])
     others = {method for method in later if work.called_for(method)}
-    if not later.isdisjoint(work.after(callbacks)):
+    if not later.isdisjoint(work.after(callbacks)) or wanted in _attributes_in(work, work.after(later)):
         return False
     return all(work.called_for(method) <= {Called.MESSAGE} for method in others) and later <= work.after(others)
 

@@ -164,7 +164,9 @@ def _asked_by(function: facts.Function, deciders: Sequence[Block]) -> frozenset[
         return frozenset({_ANYTHING})
     known, asked = _known_in(function), set[str]()
     for decider in deciders:
-        parts = [] if decider.fact is None else [decider.fact]
+        parts: list[facts.Base] = [] if decider.fact is None else [decider.fact]
+        if isinstance(decider.statement, facts.For):
+            parts.append(decider.statement.iterable)  # whether there is anything to go through
         for name in _names_asked(parts):
             asked |= {name} if name.startswith("self.") else known.get(name, {_ANYTHING})
     return frozenset(name.removeprefix("self.") for name in asked)
