@@ -49,6 +49,7 @@ def _told(findings: Findings, *declared: str, **files: str) -> list[tuple[str, i
         ((), [("diff_drive_controller", 4)]),
         (("diff_drive_controller",), []),
         (("ros2_controllers",), []),
+        (("rviz2</exec_depend><!-- <exec_depend>diff_drive_controller</exec_depend> --><exec_depend>xacro",), []),
     ],
 )
 def test_the_type_of_a_controller(findings: Findings, declared: tuple[str, ...], told: list[tuple[str, int]]):

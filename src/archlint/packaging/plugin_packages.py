@@ -17,7 +17,7 @@ from archlint.launch_files.plugin_parameters import controllers_of
 from archlint.launch_files.unloaded_parameter_files import is_named, parameter_files
 from archlint.place import Place
 from archlint.ros import packages
-from archlint.workspace.comments import replace_xml_comments
+from archlint.workspace.comments import replace_xml_comments, xml_comments
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -42,11 +42,21 @@ _OF_GROUPS = frozenset({"effort_controllers", "position_controllers", "velocity_
 
 
 def packages_of_plugins(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
-    """The released packages of such plugins, each with the place that names one."""
+    """The released packages of such plugins, each with the place that names one, but for those that a comment in a
+    manifest names."""
     for place, named in (*_of_controllers(workspace), *_of_descriptions(workspace)):
         package = _package_of(named)
-        if package in packages.table().names and package not in workspace.packages:
+        is_released = package in packages.table().names and package not in workspace.packages
+        if is_released and package not in _words_of_comments(workspace):
             yield place, package
+
+
+@once
+def _words_of_comments(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The words in the comments of all manifests: MoveIt's assistant writes what only a simulation needs into one."""
+    texts = (workspace.tree.text(package.manifest.relative) or "" for package in workspace.manifests.values())
+    comments = (comment for text in texts for comment in xml_comments(text))
+    return frozenset(word for comment in comments for word in re.findall(r"\w+", comment))
 
 
 def _package_of(named: str) -> str:
