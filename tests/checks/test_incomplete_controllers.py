@@ -54,3 +54,29 @@ def test_a_controller_that_lacks_nothing_or_of_which_little_is_known(findings: F
 def test_a_controller_with_parameters_in_two_files(findings: Findings):
     rest = SECTION.format("arm", "    command_interfaces: [position]\n    state_interfaces: [position]\n")
     assert findings("PRM012", **{"config/p.yaml": _file(TRAJECTORY, "joints: [a]"), "config/more.yaml": rest}) == []
+
+
+MOVEIT = """\
+moveit_simple_controller_manager:
+  controller_names: [arm, leg, absent]
+  arm:
+    {}
+  leg: {{type: GripperCommand, action_ns: gripper_cmd, joints: [knee]}}
+  unlisted: {{type: FollowJointTrajectory}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "lacking"),
+    [
+        ("{type: FollowJointTrajectory, joints: [elbow]}", ["action_ns"]),
+        ("{joints: [elbow]}", ["action_ns", "type"]),
+        ("{type: FollowJointTrajectory, joints: [elbow], action_ns: follow_joint_trajectory}", []),
+        ("$(var arm)", []),
+    ],
+)
+def test_a_controller_that_moveit_passes_over(findings: Findings, line: str, lacking: list[str]):
+    found = findings("PRM012", **{"config/moveit_controllers.yaml": MOVEIT.format(line)})
+    assert [(row.message, row.place.line) for row in found] == (
+        [(f"'arm' is given no {' and no '.join(lacking)}, without which MoveIt passes over it", 3)] if lacking else []
+    )

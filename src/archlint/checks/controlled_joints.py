@@ -17,7 +17,11 @@ from archlint.launch_files.controlled_joints import (
     UnknownJoint,
     wrong_for_controllers,
 )
-from archlint.launch_files.incomplete_controllers import IncompleteController, incomplete_controllers
+from archlint.launch_files.incomplete_controllers import (
+    IncompleteController,
+    incomplete_controllers,
+    passed_over_by_moveit,
+)
 from archlint.launch_files.unloaded_parameter_files import has_no_reader
 from archlint.suggestions import listed, meant, nearest
 
@@ -32,18 +36,20 @@ def joint_of_no_robot(system: System, options: Options) -> Iterator[Finding]:
     workspace = system.workspace
     if workspace is None:
         return
-    for told in (*map(_told, wrong_for_controllers(workspace)), *map(_incomplete, incomplete_controllers(workspace))):
+    lacking = (*incomplete_controllers(workspace), *passed_over_by_moveit(workspace))
+    for told in (*map(_told, wrong_for_controllers(workspace)), *map(_incomplete, lacking)):
         yield replace(told, severity=Severity.INFO) if has_no_reader(workspace, told.place.file) else told
 
 
 def _incomplete(row: IncompleteController) -> Finding:
     """What a controller lacks is in the group of its file and its own, apart from what it is given in vain."""
-    lacking = " and no ".join(row.lacking)
+    kind = row.kind.rpartition("/")[2]
+    effect = f"without which {kind} cannot be configured" if kind else "without which MoveIt passes over it"
     return finding(
         "PRM012",
         row.place,
-        f"'{row.controller}' is given no {lacking}, without which {row.kind.rpartition('/')[2]} cannot be configured",
-        help=f"add {' and '.join(row.lacking)} below its ros__parameters",
+        f"'{row.controller}' is given no {' and no '.join(row.lacking)}, {effect}",
+        help=f"add {' and '.join(row.lacking)} {'below its ros__parameters' if kind else 'to its entry'}",
         identity=(row.controller, *row.lacking),
         group=(row.place.file, row.controller, "incomplete", ""),
     )

@@ -9,11 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_aside
 from archlint.analysis.kept import once
 from archlint.launch_files.plugin_parameters import controllers_of
-from archlint.launch_files.unloaded_parameter_files import parameter_files
+from archlint.launch_files.unloaded_parameter_files import is_template, parameter_files
 from archlint.place import Place
 from archlint.records import dataclass
+from archlint.syntax.moveit_controllers import MANAGER, passed_over
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -30,7 +32,8 @@ _NEEDED = {
 
 @dataclass(frozen=True)
 class IncompleteController:
-    """A controller of a class, the names of what it lacks, and where its parameters stand."""
+    """A controller of a class, the names of what it lacks, and where its parameters stand.  ``kind`` is empty for one
+    that MoveIt is to know."""
 
     place: Place
     controller: str
@@ -51,6 +54,17 @@ def incomplete_controllers(workspace: WorkspaceIndex) -> Iterator[IncompleteCont
                 yield IncompleteController(Place(file, *section.span), controller, types[controller], lacking)
 
 
+def passed_over_by_moveit(workspace: WorkspaceIndex) -> Iterator[IncompleteController]:
+    """The controllers that a file names for MoveIt, and of which it does not say all that it has to."""
+    for folder in sorted(workspace.manifests):
+        files = [] if workspace.manifests[folder].ros1 else workspace.tree.files_below(folder)
+        for file in (file for file in files if file.endswith((".yaml", ".yml")) and not is_aside(workspace, file)):
+            text = workspace.tree.text(file) or ""
+            if MANAGER in text and not is_template(text):
+                for row in passed_over(text):
+                    yield IncompleteController(Place(file, *row.span), row.name, "", row.lacking)
+
+
 @once
 def _given(workspace: WorkspaceIndex) -> Mapping[str, frozenset[str]]:
     """The names of the parameters that any file gives a controller, by its name; for several of them by ``*``."""
@@ -63,4 +77,4 @@ def _given(workspace: WorkspaceIndex) -> Mapping[str, frozenset[str]]:
     return {node: frozenset(given) for node, given in names.items()}
 
 
-__all__ = ["IncompleteController", "incomplete_controllers"]
+__all__ = ["IncompleteController", "incomplete_controllers", "passed_over_by_moveit"]
