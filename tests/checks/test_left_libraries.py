@@ -42,6 +42,25 @@ def test_a_library_that_an_installed_program_needs(told, lines, needed):
     assert told(lines) == [f"the shared library 'core' is not installed, and '{needed}' needs it: that does not start"]
 
 
+COMPONENT = 'rclcpp_components_register_node(core PLUGIN "robot::Core" EXECUTABLE core_node)\n'
+
+
+@pytest.mark.parametrize(
+    ("lines", "count"),
+    [
+        (COMPONENT, 1),
+        ("list(APPEND ${PROJECT_NAME}_LIBRARIES core)\n" + COMPONENT, 0),
+        ("install(TARGETS core DESTINATION lib)\n" + COMPONENT, 0),
+        ("ament_auto_add_library(more SHARED src/more.cpp)\n" + COMPONENT, 1),
+        (COMPONENT.replace("core PLUGIN", "more PLUGIN") + "ament_auto_add_library(more SHARED src/core.cpp)\n", 0),
+    ],
+)
+def test_what_ament_auto_package_installs(findings, lines: str, count: int):
+    build = BUILD.replace("ament_package", "ament_auto_package").format("find_package(ament_cmake_auto)\n" + lines)
+    files = {"src/core.cpp": "int core() {}\n", "src/talker.cpp": "int main() {}\n", "src/more.cpp": "int more() {}\n"}
+    assert len(findings("PKG004", **{"package.xml": CMAKE, "CMakeLists.txt": build}, **files)) == count
+
+
 @pytest.mark.parametrize(
     "lines",
     [

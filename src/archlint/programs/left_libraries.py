@@ -1,7 +1,8 @@
 """The shared libraries that CMake builds and does not install, though what it installs is linked with them.
 
 Source: ``install(TARGETS)`` of CMake takes the folder of the build out of a program's run path; a library that is not
-installed is not found when the program starts.
+installed is not found when the program starts.  ``ament_auto_package()`` of ament_cmake_auto installs the targets that
+are in the list ``${PROJECT_NAME}_LIBRARIES``, into which ``ament_auto_add_library()`` puts its own.
 """
 
 from __future__ import annotations
@@ -14,12 +15,13 @@ from archlint.workspace.installed import LeftLibrary
 
 _LINKS = "target_link_libraries"
 _OF_COMPONENTS = frozenset({"rclcpp_components_register_node", "rclcpp_components_register_nodes"})
-_INSTALLS_ITSELF = frozenset({"ament_auto_package", "ament_auto_add_library", "ament_auto_add_executable"})
+_SETS = frozenset({"list", "set"})
+_OF_AUTO = "_LIBRARIES"
 
 
 def left_libraries(steps: Sequence[Step], words: frozenset[str]) -> Iterator[LeftLibrary]:
     """Each of them, with a target that needs it."""
-    if any("RPATH" in word for word in words) or not _INSTALLS_ITSELF.isdisjoint(words):
+    if any("RPATH" in word for word in words) or _names_what_to_install(steps):
         return
     installed = _installed(steps)
     libraries = {
@@ -35,6 +37,15 @@ def left_libraries(steps: Sequence[Step], words: frozenset[str]) -> Iterator[Lef
             argument = step.command.arguments[0]
             end = argument.column + len(argument.text)
             yield LeftLibrary(name, needed, Place(step.file, argument.line, argument.column, argument.line, end))
+
+
+def _names_what_to_install(steps: Sequence[Step]) -> bool:
+    """Whether ``ament_auto_package()`` may install a library that it did not make."""
+    if not any(step.command.name == "ament_auto_package" for step in steps):
+        return False
+    return any(
+        step.command.name in _SETS and any(text.endswith(_OF_AUTO) for text in step.command.texts) for step in steps
+    )
 
 
 def _is_built(texts: Sequence[str]) -> bool:
