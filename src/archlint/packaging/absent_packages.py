@@ -208,9 +208,10 @@ _ASKING = re.compile(
 )
 """Where a project names the packages that it takes from elsewhere."""
 _DOCUMENT = re.compile(r".*\.(?:md|rst)")
-_FETCHED = re.compile(r"^.*(?:://|\bclone\b|\bapt\b).*$", re.MULTILINE)
-"""The lines of a document that say where a package comes from."""
-_LINK_BESIDE = re.compile(r"^[ \t]*(?:#|<!--).*://.*$", re.MULTILINE)
+_FETCHED = r"://|\bclone\b|\bapt\b"
+"""What the lines of a document have that say where a package comes from."""
+_LAUNCHED = re.compile(r".*\.(?:py|launch|xml|ya?ml)")
+_LINK_BESIDE = r"^[ \t]*(?:#|<!--).*://"
 """The same in a comment of a launch file."""
 
 
@@ -235,9 +236,11 @@ def _asking_texts(workspace: WorkspaceIndex) -> tuple[str, ...]:
         if _ASKING.fullmatch(name):
             texts.append(workspace.tree.text(path) or "")
         elif _DOCUMENT.fullmatch(name):
-            texts.append("\n".join(_FETCHED.findall(workspace.tree.text(path) or "")))
-        elif workspace.launch_files.can_be_launched(path):
-            texts.append("\n".join(_LINK_BESIDE.findall(workspace.tree.text(path) or "")))
+            texts.extend(line for _, line in workspace.tree.lines_with(path, _FETCHED))
+        elif _LAUNCHED.fullmatch(name):
+            linked = workspace.tree.lines_with(path, _LINK_BESIDE)
+            if linked and workspace.launch_files.can_be_launched(path):
+                texts.extend(line for _, line in linked)
     return tuple(texts)
 
 
