@@ -236,3 +236,9 @@ private:
 def test_a_field_is_given_the_items_of_a_map() -> None:
     [node] = graph({"src/robot.cpp": NAMES})["nodes"]
     assert sorted(end["name"] for end in node["publishers"]) == ["/l", "/r"]
+
+
+def test_the_type_of_a_parameter_whose_default_is_negative() -> None:
+    [node] = graph_of('declare_parameter("low", -0.5); declare_parameter("first", -3);')
+    rows = [(row["name"], row["type"], row["default"]) for row in node["parameters"]]
+    assert rows == [("low", "double", -0.5), ("first", "integer", -3)]

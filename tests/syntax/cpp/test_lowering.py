@@ -24,6 +24,20 @@ def in_a_method(statement: str) -> str:
 @pytest.mark.parametrize(
     ("written", "expected"),
     [
+        ("turn(-0.1);", "?turn(-0.1)"),
+        ("turn(-5);", "?turn(-5)"),
+        ("turn(+2);", "?turn(2)"),
+        ("turn(-2.5f, -0x10, -1'000);", "?turn(-2.5, -16, -1000)"),
+        ("turn(2 -1);", "?turn(2 - 1)"),
+    ],
+)
+def test_a_number_with_a_sign(written: str, expected: str) -> None:
+    assert in_a_method(written) == expected
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
         (
             'create_publisher<std_msgs::msg::String>("chatter", 10);',
             "self.create_publisher(msg_type=std_msgs::msg::String, topic='chatter', qos_profile=10)",

@@ -48,7 +48,8 @@ def _replaced(match: re.Match[str]) -> str:
 
 def number_of(written: str) -> int | float | None:
     """The number of a literal; None for one that is not understood."""
-    match = _NUMBER.match(written.replace("'", ""))
+    sign = -1 if written.startswith("-") else 1  # the grammar counts a sign to the number
+    match = _NUMBER.match(written.lstrip("+-").replace("'", ""))
     if match is None or not match[1]:
         return None
     digits = match[1].lower()
@@ -61,7 +62,7 @@ def number_of(written: str) -> int | float | None:
             number = float(digits)
     except ValueError:
         return None
-    return number if abs(number) < 2**63 else None
+    return sign * number if abs(number) < 2**63 else None
 
 
 __all__ = ["SECONDS", "character_of", "number_of", "text_of"]
