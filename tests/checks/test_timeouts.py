@@ -1360,3 +1360,30 @@ def test_a_script_that_ctrl_c_ends_on_purpose(tmp_path: Path, monkeypatch, at_th
     Path("script.py").write_text(dedent(SCRIPT).format(line=line))
     Path("archlint.toml").write_text('select = ["TMO001"]\n[rules.TMO001]\nscripts = true\n')
     assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
+
+
+def test_a_server_of_which_part_of_the_name_is_known(judge: Judge):
+    text = """
+        import rclpy
+        from rclpy.node import Node
+        from std_srvs.srv import Empty
+
+
+        class Spawner(Node):
+            def __init__(self):
+                super().__init__('spawner')
+                for name in open('robots.txt').read().split():
+                    client = self.create_client(Empty, f'/{name}/spawn')
+                    client.wait_for_service()  # here
+
+
+        def main():
+            rclpy.init()
+            rclpy.spin(Spawner())
+
+
+        if __name__ == '__main__':
+            main()
+    """
+    [wait] = judge("TMO001", text)
+    assert wait.message.startswith("wait_for_service() waits for a service called '/…/spawn' without a timeout")

@@ -151,6 +151,8 @@ def endpoint_words(creation: Creation | None, kind: AskedKind = "service") -> st
     what = "action" if creation.kind in (EntityKind.ACTION_CLIENT, EntityKind.ACTION_SERVER) else "service"
     if creation.name.text is None or creation.name.resolution == "unknown":
         return f"a{'n' if what == 'action' else ''} {what}"
+    if creation.name.resolution == "partial":
+        return f"a{'n' if what == 'action' else ''} {what} called '{creation.name.text.replace('*', '…')}'"
     return f"the {what} '{creation.name.text}'"
 
 
