@@ -70,7 +70,7 @@ def findings(folder: Path, text: str, distro: str | None = None) -> list[Finding
     (folder / "robot.py").write_text(text, encoding="utf-8")
     settings = load(folder)
     without = replace(settings, distro=distro, layers=(*settings.layers, Layer(ignore=("API",))))
-    return check(Request((".",), without, cached=False, jobs=1)).findings
+    return list(check(Request((".",), without, cached=False, jobs=1)).findings)
 
 
 def codes(found: list[Finding]) -> list[str]:
