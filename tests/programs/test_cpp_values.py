@@ -242,3 +242,9 @@ def test_the_type_of_a_parameter_whose_default_is_negative() -> None:
     [node] = graph_of('declare_parameter("low", -0.5); declare_parameter("first", -3);')
     rows = [(row["name"], row["type"], row["default"]) for row in node["parameters"]]
     assert rows == [("low", "double", -0.5), ("first", "integer", -3)]
+
+
+def test_the_numbers_that_the_library_has_names_for() -> None:
+    [node] = graph_of('declare_parameter("turn", M_PI / 2); declare_parameter("back", -M_PI);')
+    rows = [(row["name"], row["type"], round(row["default"], 3)) for row in node["parameters"]]
+    assert rows == [("turn", "double", 1.571), ("back", "double", -3.142)]

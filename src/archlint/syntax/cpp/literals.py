@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 _ESCAPE = re.compile(r"\\(?:([0-7]{1,3})|x([0-9a-fA-F]+)|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8})|(.))", re.DOTALL)
@@ -12,6 +13,9 @@ _NUMBER = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|[0-9]*\.?[0-9]*(?:[eE][+-]?
 
 SECONDS = {"h": 3600.0, "min": 60.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 """The suffixes of ``std::chrono_literals``, and how long each is."""
+
+CONSTANTS = {"M_E": math.e, "M_PI": math.pi, "M_PI_2": math.pi / 2, "M_PI_4": math.pi / 4}
+"""The numbers that ``<cmath>`` has names for."""
 
 
 def text_of(written: str) -> str | None:
@@ -65,4 +69,4 @@ def number_of(written: str) -> int | float | None:
     return sign * number if abs(number) < 2**63 else None
 
 
-__all__ = ["SECONDS", "character_of", "number_of", "text_of"]
+__all__ = ["CONSTANTS", "SECONDS", "character_of", "number_of", "text_of"]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp.known_names import TYPE_OF
-from archlint.syntax.cpp.literals import SECONDS, character_of, number_of, text_of
+from archlint.syntax.cpp.literals import CONSTANTS, SECONDS, character_of, number_of, text_of
 from archlint.syntax.cpp.names import Names
 from archlint.syntax.expressions import BooleanOperator
 from archlint.syntax.facts import Argument
@@ -153,7 +153,9 @@ class ExpressionLowering:
     # --------------------------------------------------------------------------------------------- names
 
     def _identifier(self, node: Node, span: Span) -> Expr:
-        return self.names.plain(self.source.text(node), span)
+        text = self.source.text(node)
+        number = CONSTANTS.get(text)
+        return self.names.plain(text, span) if number is None else facts.Literal(number, span)
 
     def _qualified(self, node: Node, span: Span) -> Expr:
         return self.names.resolve(self.names.parts(node), span)
