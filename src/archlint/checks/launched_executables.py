@@ -12,7 +12,7 @@ from archlint.checks.executables_instead import advice_on, advice_on_launch_file
 from archlint.checks.folding import folds, with_places
 from archlint.checks.packages import is_ignored_by_cmake
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.ros_arguments import refused_ros_arguments
+from archlint.checks.ros_arguments import refused_ros_arguments, refused_words_for_ros
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch.kinds import StartedKind
@@ -40,6 +40,7 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
         for told in _of_program(system, system.workspace, options, started):
             yield replace(told, severity=Severity.INFO)
     yield from refused_ros_arguments(system)
+    yield from refused_words_for_ros(system)
 
 
 def _of_program(system: System, workspace: WorkspaceIndex, options: Options, started: Started) -> Iterator[Finding]:

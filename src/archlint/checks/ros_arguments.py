@@ -1,4 +1,4 @@
-"""What LCH001 says of programs that end at the ``--ros-args`` of a launch file."""
+"""What LCH001 says of programs that end at the ``--ros-args`` of a launch file, or at what stands behind it."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
 from archlint.launch_files.ros_arguments import refused_words
+from archlint.launch_files.words_for_ros import wrong_words
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -34,4 +35,23 @@ def refused_ros_arguments(system: System) -> Iterator[Finding]:
         )
 
 
-__all__ = ["refused_ros_arguments"]
+def refused_words_for_ros(system: System) -> Iterator[Finding]:
+    """A finding for each word behind ``--ros-args`` at which a node ends, or that ROS does not see."""
+    for row in wrong_words(system):
+        what = (
+            f"'{row.word}' is one word, and not the --ros-args that '{row.program}' is to be given: it has no effect"
+            if row.ignored
+            else f"'{row.word}' behind --ros-args is no argument of ROS: '{row.program}' ends with an "
+            "UnknownROSArgsError"
+        )
+        yield finding(
+            "LCH001",
+            row.place,
+            what,
+            help=f"write {row.instead}" if row.instead else "write it in front of '--ros-args', or behind '--'",
+            identity=(row.program, row.word),
+            group=(row.place.file, row.word, "word"),
+        )
+
+
+__all__ = ["refused_ros_arguments", "refused_words_for_ros"]
