@@ -131,9 +131,11 @@ def test_what_no_program_comes_to_is_left_in_ros_1(said: Said, code: str, path: 
     assert said(code, {path: text}) == []
 
 
-def test_a_module_that_a_program_imports_is_not_left_alone(said: Said) -> None:
+def test_a_module_that_a_program_uses_is_not_left_alone(said: Said) -> None:
     uses = TALKER.replace("import rclpy", "import rclpy\nfrom robot.valve import open_valve")
-    [finding] = said("API005", {"robot/valve.py": MODULE, "robot/talker.py": uses})
+    assert said("API005", {"robot/valve.py": MODULE, "robot/talker.py": uses}) == []  # nothing calls it yet
+    calls = uses.replace("    rclpy.init()\n", "    rclpy.init()\n    open_valve()\n")
+    [finding] = said("API005", {"robot/valve.py": MODULE, "robot/talker.py": calls})
     assert finding.place.file.endswith("robot/valve.py")
 
 
