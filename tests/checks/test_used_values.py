@@ -357,3 +357,85 @@ def test_an_attribute_of_what_a_function_returns(judge: Judge, lines: str, messa
 )
 def test_what_such_a_result_has_or_may_have(judge: Judge, lines: str):
     judge("API002", RESULTS.replace("{lines}", lines))
+
+
+# ----------------------------------------------------------------------------------------- items of an empty list
+
+LISTS = """
+import rclpy
+from rclpy.node import Node
+
+
+class Pilot(Node):
+    def __init__(self):
+        super().__init__('pilot')
+        self.timer = self.create_timer(1.0, self.fly)
+
+    def fly(self):
+        way = []
+        {lines}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Pilot())
+
+
+main()
+"""
+
+
+def _lists(*lines: str) -> str:
+    return LISTS.replace("{lines}", "\n        ".join(lines))
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("way[0] = 1.0  # here",),
+        ("print(way[-1])  # here",),
+        ("count = 3", "way[count] = 1.0  # here", "way.append(1.0)"),
+        ("for i in range(3):", "    way[i] = 1.0  # here"),
+        ("if way[0] > 1.0:  # here", "    way.append(1.0)"),
+        ("if rclpy.ok():", "    way[0] = 1.0  # here", "else:", "    way.append(1.0)"),
+        ("return way[0]  # here",),
+        ("del way[0]  # here",),
+        ("way[0], last = 1.0, 2.0  # here",),
+    ],
+)
+def test_an_item_of_a_list_that_is_empty(judge: Judge, lines: tuple[str, ...]):
+    (finding,) = judge("API001", _lists(*lines))
+    assert finding.message == "the list way is still empty: an item of it is an IndexError"
+    assert [row.place.line for row in finding.related] == [11]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("way.append(1.0)", "print(way[0])"),
+        ("way += [1.0]", "print(way[0])"),
+        ("way[:] = [1.0]", "print(way[0])"),
+        ("way[0:0] = [1.0]",),
+        ("self.fill(way)", "print(way[0])"),
+        ("for i in range(3):", "    if i:", "        print(way[i - 1])", "    way.append(i)"),
+        ("for i in range(3):", "    for j in range(i):", "        print(way[j])", "    way.append(i)"),
+        ("if rclpy.ok():", "    way.append(1.0)", "print(way[0])"),
+        ("print(way[0] if rclpy.ok() and len(way) else 0.0)",),
+        ("print([way[i] for i in range(0)])",),
+        ("last = lambda: way[-1]", "way.append(1.0)"),
+        ("try:", "    print(way[0])", "except IndexError:", "    pass"),
+        ("try:", "    print(way[0])", "except:", "    pass"),
+        ("def fill():", "    way.append(1.0)", "fill()", "print(way[0])"),
+        ("way = {}", "way[0] = 1.0"),
+        ("way = [1.0]", "way[0] = 1.0"),
+    ],
+)
+def test_an_item_that_may_be_there(judge: Judge, lines: tuple[str, ...]):
+    judge("API001", _lists(*lines))
+
+
+def test_a_list_that_a_function_it_shares_may_fill(judge: Judge):
+    judge(
+        "API001",
+        _lists("self.fill()", "print(way[0])").replace("        way = []", "        global way\n        way = []"),
+    )

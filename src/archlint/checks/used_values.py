@@ -11,6 +11,7 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.array_truths import ArrayTruth, array_truths
+from archlint.python_code.empty_lists import ItemOfNothing, items_of_nothing
 from archlint.python_code.hidden_messages import HiddenMessage, hidden_messages
 from archlint.python_code.misused_kinds import Misuse, MisusedKind, misused_kinds
 from archlint.python_code.parameter_values import WrongParameter, wrong_parameters
@@ -54,6 +55,8 @@ def used_value_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _hidden(hidden))
         for truth in array_truths(system.workspace):
             yield from unless_uncalled(system, _truth(truth))
+        for item in items_of_nothing(system.workspace):
+            yield from unless_uncalled(system, _item(item))
         for misused in misused_kinds(system.workspace):
             if misused.misuse is not Misuse.LOOKS_INTO:
                 yield from unless_uncalled(system, _misused(misused, "API001"))
@@ -171,6 +174,18 @@ def _truth(row: ArrayTruth) -> Finding:
         related=[Related(row.assigned, f"this is what {row.what} gets")],
         identity=(TRUTH, row.what),
         group=(row.place.file, PLAIN, row.what, TRUTH),
+    )
+
+
+def _item(row: ItemOfNothing) -> Finding:
+    return finding(
+        "API001",
+        row.place,
+        f"the list {row.name} is still empty: an item of it is an IndexError",
+        help=f"write {row.name}.append(…), or make the list as long as it has to be",
+        related=[Related(row.empty_at, "it is made here")],
+        identity=("item", row.name),
+        group=(row.place.file, "item", row.name, str(row.place.line)),
     )
 
 
