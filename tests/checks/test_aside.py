@@ -540,7 +540,7 @@ def test_a_script_that_nobody_installs_ends_with_its_imports(tmp_path, monkeypat
     files = {"package.xml": MANIFEST.strip(), "setup.py": SETUP.replace("{more}", ""), "robot/__init__.py": ""}
     files |= {
         "robot/driver.py": "def main(): pass\n",
-        "tools/rest.py": f"{start}{SLEEPS}\n\ndef other():\n    return missing\n",
+        "tools/rest.py": f"{start}{SLEEPS}\n\ndef other():\n    return missing\n\n\nOTHERS = [other]\n",
     }
     write_files(tmp_path, files)
     monkeypatch.chdir(tmp_path)
@@ -556,6 +556,9 @@ def pause(again=False):
     if again:
         pause()
     rest()
+
+
+BY_NAME = ['pause']
 """
 
 
@@ -627,7 +630,7 @@ def test_what_a_rule_says_of_such_a_file_is_one_finding(tmp_path, monkeypatch, p
         "        self.rate.sleep()\n",
         "        self.more()\n        self.rate.sleep()\n\n    def more(self):\n        lost.x\n",
     )
-    again += "\n\ndef other():\n    return missing\n"
+    again += "\n\ndef other():\n    return missing\n\n\nOTHERS = [other]\n"
     files = {"package.xml": MANIFEST.strip(), "setup.py": SETUP.replace("{more}", ""), "robot/__init__.py": ""}
     for name, text in {**files, "robot/driver.py": "def main(): pass\n"}.items():
         (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
