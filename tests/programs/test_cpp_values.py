@@ -248,3 +248,24 @@ def test_the_numbers_that_the_library_has_names_for() -> None:
     [node] = graph_of('declare_parameter("turn", M_PI / 2); declare_parameter("back", -M_PI);')
     rows = [(row["name"], row["type"], round(row["default"], 3)) for row in node["parameters"]]
     assert rows == [("turn", "double", 1.571), ("back", "double", -3.142)]
+
+
+def test_the_type_that_is_written_decides_about_a_parameter() -> None:
+    """``declare_parameter<double>`` converts a whole number, and has its type where the default is not known."""
+    lines = [
+        "int one = 1; double read = measured();",
+        'declare_parameter<double>("rate", one);',
+        'declare_parameter<double>("speed", read);',
+        'declare_parameter<int>("count", counted());',
+        'declare_parameter<int>("last", one);',
+        'declare_parameter("other", measured());',
+    ]
+    [node] = graph_of("\n".join(lines))
+    rows = {row["name"]: (row["type"], row["default"]) for row in node["parameters"]}
+    assert rows == {
+        "rate": ("double", 1.0),
+        "speed": ("double", None),
+        "count": ("integer", None),
+        "last": ("integer", 1),
+        "other": (None, None),
+    }

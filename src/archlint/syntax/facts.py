@@ -80,7 +80,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 33
+FACTS_VERSION = 34
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 

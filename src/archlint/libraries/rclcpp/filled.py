@@ -22,7 +22,7 @@ from archlint.interpreter.values import (
     one_of,
     via,
 )
-from archlint.syntax.cpp.known_names import ITEM, PUT, SETTLED, SUBSTRING, TYPE_OF, VALUE_OR
+from archlint.syntax.cpp.known_names import ITEM, NUMBER, PUT, SETTLED, SUBSTRING, TYPE_OF, VALUE_OR
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import Plain
@@ -81,6 +81,22 @@ def _value_or(run: Run, site: CallSite) -> Value:
     return one_of(other if option.is_none else option for option in alternatives(value))
 
 
+def _number(run: Run, site: CallSite) -> Value:
+    """What a parameter of a type of numbers is declared with: ``declare_parameter<double>("rate", rate)``."""
+    value, kind = site.args
+    convert = float if kind.text == "DOUBLE" else int
+    rows: list[Value] = []
+    for option in alternatives(value):
+        match option:
+            case Known(value=bool() | int() | float() as number):
+                rows.append(Known(convert(number), option.via))
+            case Unknown():
+                rows.append(replace(option, of_class=convert.__name__))
+            case _:
+                rows.append(option)
+    return one_of(rows)
+
+
 def _settled(run: Run, site: CallSite) -> Value:
     """A text after a loop that changes it."""
     value = site.args[0]
@@ -109,6 +125,7 @@ def _type_of(run: Run, site: CallSite) -> Value:
 
 PLAIN: dict[str, Plain] = {
     ITEM: _item,
+    NUMBER: _number,
     PUT: _put,
     SETTLED: _settled,
     SUBSTRING: _substring,

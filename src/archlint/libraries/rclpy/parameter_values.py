@@ -67,7 +67,13 @@ def type_name(run: Run, value: Value | None) -> ParameterType | None:
         case ListValue():
             items = value.items(run)
             return None if items.open else array_of({type_name(run, item) for item in items.values})
+        case Unknown(of_class=str(number)):
+            return _OF_NUMBERS.get(number)
     return None
+
+
+_OF_NUMBERS: dict[str, ParameterType] = {"float": "double", "int": "integer"}
+"""The types of numbers of which only the class is known."""
 
 
 def is_type(value: Value | None) -> bool:

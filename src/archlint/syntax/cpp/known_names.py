@@ -176,6 +176,8 @@ PARTS = "std.__parts__"
 PUT, SUBSTRING, TYPE_OF, VALUE_OR = "std.__put__", "std.__substring__", "std.__type_of__", "std.__value_or__"
 """The functions that put something into a container, and give a part of a text, the type of a value, and what an
 optional value holds."""
+NUMBER = "std.__number__"
+"""The function that gives the number of a type that a value is made to."""
 GIVEN = "std.__given__"
 """The function that gives what a field holds after an object was made of values."""
 TEMPLATE_ARGUMENT = "std.template_argument"
@@ -217,6 +219,7 @@ __all__ = [
     "MAKERS",
     "MAPS",
     "MEMBER",
+    "NUMBER",
     "OBJECT",
     "OF_DOUBLES",
     "OPENED",

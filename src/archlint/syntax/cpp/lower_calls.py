@@ -12,6 +12,7 @@ from archlint.syntax.cpp.known_names import (
     DURATIONS,
     ITSELF,
     MAKERS,
+    NUMBER,
     OF_DOUBLES,
     PAIRS,
     PAIRS_MADE_BY,
@@ -203,13 +204,12 @@ class CallLowering(MethodLowering):
         Source: ``rclcpp/node_impl.hpp``, ``declare_parameter<ParameterT>``.
         """
         of_type = "".join(self.source.text(part.arguments[0]).split()).removeprefix("std::") if part.arguments else ""
+        kind = PARAMETER_TYPES.get(of_type, "")
         if not values:
-            word = PARAMETER_TYPES.get(of_type)
-            kind = self.names.library("rclcpp.Parameter", span)
-            return [] if word is None else [facts.Attribute(facts.Attribute(kind, "Type", span), word, span)]
-        number = values[0].number
-        if number is not None and of_type:
-            convert = _OF_NUMBERS.get(PARAMETER_TYPES.get(of_type, ""))
+            types = self.names.library("rclcpp.Parameter", span)
+            return [facts.Attribute(facts.Attribute(types, "Type", span), kind, span)] if kind else []
+        if (number := values[0].number) is not None and of_type:
+            convert = _OF_NUMBERS.get(kind)
             other = facts.Opaque("a number of another type", span)
             return [other if convert is None else facts.Literal(convert(number), span)]
         match values[0]:
@@ -220,7 +220,9 @@ class CallLowering(MethodLowering):
             case facts.Sequence(elements=elements) if of_type and not of_type.startswith(("vector<", "array<")):
                 # Braces around what one value is made of.
                 return self._default(part, elements, span) if len(elements) == 1 else [facts.Opaque("a value", span)]
-        return [values[0]]
+        if kind not in ("DOUBLE", "INTEGER"):
+            return [values[0]]
+        return [facts.Call(self.names.library(NUMBER, span), given([values[0], facts.Literal(kind, span)]), span)]
 
     def _function_call(self, parts: list[Part], function: Node, arguments: Node, span: Span) -> Expr:
         parts = self.names.written(parts)
