@@ -376,7 +376,7 @@ def _cure(name: str, call: RefusedCall) -> str:
 
 def _by_name(call: RefusedCall) -> list[str]:
     """The parameters that go by name alone, in the order of the newest distribution that has them."""
-    return [*dict.fromkeys(name for row in reversed(signatures_of(call.api).values()) for name in row.by_name)]
+    return [*dict.fromkeys(name for row in [*signatures_of(call.api).values()][::-1] for name in row.by_name)]
 
 
 def _cure_of_logger(name: str, call: RefusedCall) -> str:
