@@ -38,6 +38,8 @@ NODE = """
 
         def show(self):
             local = cv2.cvtColor(self.gray, cv2.COLOR_GRAY2BGR)
+            if self.picture is None:
+                return
             {line}
 
     def main():
