@@ -189,6 +189,8 @@ TURNS = """
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_action/rclcpp_action.hpp"
 #include "std_msgs/msg/int32.hpp"
+#include "std_msgs/msg/int32_multi_array.hpp"
+#include "std_msgs/msg/float32_multi_array.hpp"
 #include "std_msgs/msg/float64.hpp"
 #include "geometry_msgs/msg/twist.hpp"
 #include "nav2_msgs/action/follow_path.hpp"
@@ -201,6 +203,8 @@ public:
 private:
   void on_select(const std_msgs::msg::Int32::SharedPtr message);
   void on_speed(const std_msgs::msg::Float64::SharedPtr message);
+  void on_levels(const std_msgs::msg::Int32MultiArray::SharedPtr message) {{ levels_ = message; }}
+  void on_angles(const std_msgs::msg::Float32MultiArray::SharedPtr message) {{ angles_ = message; }}
   void on_enable(
     const std::shared_ptr<std_srvs::srv::SetBool::Request> request,
     std::shared_ptr<std_srvs::srv::SetBool::Response>) {{ enabled_ = request->data; }}
@@ -215,7 +219,14 @@ private:
   void on_accepted(const std::shared_ptr<Handle> handle) {{ goal_ = handle; }}
   void loop();
   void drive();
+  void turn();
+  void test() {{ commands_->publish(geometry_msgs::msg::Twist()); drive(); }}
   int selected_ = 0;
+  bool turning_ = false;
+  std_msgs::msg::Int32MultiArray::SharedPtr levels_ = nullptr;
+  std_msgs::msg::Float32MultiArray::SharedPtr angles_ = nullptr;
+  rclcpp::Subscription<std_msgs::msg::Int32MultiArray>::SharedPtr levels_in_;
+  rclcpp::Subscription<std_msgs::msg::Float32MultiArray>::SharedPtr angles_in_;
   bool enabled_ = false;
   double speed_ = 0.0;
   std::shared_ptr<Handle> goal_;
@@ -233,6 +244,10 @@ Driver::Driver() : Node("{name}")
   commands_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
   select_ = create_subscription<std_msgs::msg::Int32>("{select}", 10, std::bind(&Driver::on_select, this, _1));
   limit_ = create_subscription<std_msgs::msg::Float64>("speed", 10, std::bind(&Driver::on_speed, this, _1));
+  levels_in_ = create_subscription<std_msgs::msg::Int32MultiArray>(
+    "levels", 10, std::bind(&Driver::on_levels, this, _1));
+  angles_in_ = create_subscription<std_msgs::msg::Float32MultiArray>(
+    "angles", 10, std::bind(&Driver::on_angles, this, _1));
   enable_ = create_service<std_srvs::srv::SetBool>("~/enable", std::bind(&Driver::on_enable, this, _1, _2));
   server_ = rclcpp_action::create_server<FollowPath>(
     this, "{name}/follow", std::bind(&Driver::on_goal, this, _1, _2), std::bind(&Driver::on_cancel, this, _1),
@@ -242,6 +257,13 @@ Driver::Driver() : Node("{name}")
 void Driver::on_select(const std_msgs::msg::Int32::SharedPtr message) {{ selected_ = message->data; }}
 void Driver::on_speed(const std_msgs::msg::Float64::SharedPtr message) {{ speed_ = message->data; }}
 void Driver::loop() {{ {loop} }}
+void Driver::turn()
+{{
+  geometry_msgs::msg::Twist command;
+  command.angular.z = 0.5;
+  commands_->publish(command);
+  turning_ = false;
+}}
 void Driver::drive()
 {{
   geometry_msgs::msg::Twist command;
@@ -262,6 +284,14 @@ int main(int argc, char ** argv) {{ rclcpp::init(argc, argv); rclcpp::spin(std::
         ("if (!enabled_) return; drive();", "if (!this->enabled_) return; drive();", 0),
         ("if (!goal_) return; drive();", "if (goal_ == nullptr) return; drive();", 0),
         ("if (!goal_) return; drive();", "drive();", 1),
+        ("if (!goal_) return; if (turning_) { turn(); return; } turning_ = true; drive();", "if (goal_) drive();", 0),
+        ("turn(); if (!goal_) return; drive();", "if (goal_) drive();", 1),
+        (
+            "if (!levels_ || levels_->data[0] != 0) return; drive();",
+            "if (levels_ && !levels_->data.empty()) { if (levels_->data[0] == 0) return; drive(); }",
+            0,
+        ),
+        ("if (!angles_) return; drive();", "if (!angles_) return; drive();", 1),
         ("commands_->publish(geometry_msgs::msg::Twist()); if (!goal_) return; drive();", "if (goal_) drive();", 0),
     ],
 )

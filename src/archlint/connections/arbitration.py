@@ -11,6 +11,7 @@ from archlint.analysis.left_over import idle_methods, kept_calls
 from archlint.analysis.reach import creations_of
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.connections.sharing import COMMANDS
+from archlint.finding import Place
 from archlint.model import (
     EntityKind,
     Role,
@@ -22,7 +23,6 @@ from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
-    from archlint.finding import Place
     from archlint.model import ApiCall
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Endpoint, Node
@@ -31,6 +31,8 @@ _PUBLISH = "rclpy.publisher.Publisher.publish"
 _WORD = frozenset({"Bool", "String", "Int8", "Int16", "Int32", "Int64", "UInt8", "UInt16", "UInt32", "UInt64"})
 WORDS = frozenset({f"std_msgs/msg/{name}" for name in _WORD} | {"std_srvs/srv/SetBool", "std_srvs/srv/Trigger"})
 """Messages and requests that can say whose turn it is; measurements have types of their own."""
+_CHOICES = WORDS | {f"std_msgs/msg/{name}MultiArray" for name in _WORD if "Int" in name}
+"""Those that can choose one of several publishers: a number may be in an array, beside others."""
 _HALTS = frozenset(
     {"collision", "emergency", "estop", "fault", "halt", "kill", "obstacle", "obstacles", "pause", "safety", "stop"}
 )
@@ -200,12 +202,12 @@ def _asks_in_cpp(system: System, workspace: WorkspaceIndex, owner: Endpoint) -> 
     words: set[_Word] = set()
     silent: list[ApiCall] = []
     for call in publishes_of(system, owner) if by_attribute else ():
-        places = [call.place, *(frame.place for frame in call.chain)]
-        tests = [test for place in places for test in _guards(code.body_at(place), place.span)]
-        asked = {word for test in tests for name in _of_self(test) for word in by_attribute.get(name, ())}
-        words |= asked
-        if not asked and not _is_stop_at(code, call):
-            silent.append(call)
+        for way in _ways(code, workspace, call):
+            tests = [test for place in way for test in _guards(code.body_at(place), place.span)]
+            asked = {word for test in tests for name in _of_self(test) for word in by_attribute.get(name, ())}
+            words |= asked
+            if not asked and not _is_stop_at(code, call):
+                silent.append(call)
     answers = {
         callback.place
         for end in owner.node.of_kind(*_TELL)
@@ -213,6 +215,20 @@ def _asks_in_cpp(system: System, workspace: WorkspaceIndex, owner: Endpoint) -> 
         if (end.kind, end.name) in words
     }
     return frozenset(words if all(call.context.place in answers for call in silent) else ())
+
+
+def _ways(code: SourceCode, workspace: WorkspaceIndex, call: ApiCall) -> Iterator[tuple[Place, ...]]:
+    """The places that lead to a call.  Where a method has run by itself, since nothing has come to it yet, these begin
+    where the file calls it by its name, or there are none."""
+    places = (call.place, *(frame.place for frame in call.chain))
+    if call.context.role != Role.METHOD:
+        yield places
+        return
+    first = places[min(1, len(places) - 1)]
+    function, file_facts = code.function_at(first), workspace.code.cpp_facts_at(first.file)
+    for caller in parts_of(file_facts.body, facts.Call) if file_facts is not None else ():
+        if function is not None and called_name(caller) == function.name:
+            yield (*places, Place.of(first.file, caller.span))
 
 
 class _Source:
@@ -272,7 +288,7 @@ def _attribute_words(code: SourceCode, node: Node) -> dict[tuple[str, str], set[
     """The attributes of ``self``, with their file, that callbacks for such words set, or for goals."""
     words: dict[tuple[str, str], set[_Word]] = {}
     for end in node.of_kind(*_TELL):
-        is_word = end.type in WORDS or end.kind is EntityKind.ACTION_SERVER
+        is_word = end.type in _CHOICES or end.kind is EntityKind.ACTION_SERVER
         if not is_word or end.name is None or _halts(end.name):
             continue
         for callback in end.creation.callbacks.values():
