@@ -51,6 +51,18 @@ def test_a_comment_allows_one_of_them(findings):
     assert (found.place.line, found.related) == (2, ())
 
 
+@pytest.mark.parametrize(("package", "told"), [("launch_ros.actions", 1), ("nav2_common.launch", 0)])
+def test_a_node_of_nav2_common_took_other_arguments(findings, package, told):
+    text = f"""\
+from launch import LaunchDescription
+from {package} import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', executable='talker', use_remappings=True)])
+"""
+    assert len(findings("LCH005", **{"launch/old.launch.py": text})) == told
+
+
 @pytest.mark.parametrize(("condition", "told"), [("True", 1), ("os.getenv('ROS_DISTRO') == 'dashing'", 0)])
 def test_keywords_of_an_older_ros(findings, condition, told):
     text = f"""\

@@ -1026,6 +1026,13 @@ def test_a_file_that_a_node_of_cpp_looks_for(findings, lines):
     assert findings("PKG004", **of_cpp_code(lines, "install(DIRECTORY data DESTINATION share/${PROJECT_NAME})")) == []
 
 
+def test_ament_package_installs_the_manifest(findings):
+    assert findings("PKG004", **of_cpp_code(f'{SHARE_IN_CPP}\n  std::string path = share + "/package.xml";', "")) == []
+    code = OPENS.format(lines="return open(get_package_share_directory('robot') + '/package.xml')")
+    (finding,) = findings("PKG004", **{"robot/words.py": code, "setup.py": SETUP.replace("'package.xml'", "")})
+    assert "does not install the file 'package.xml', which robot/words.py looks for" in finding.message
+
+
 @pytest.mark.parametrize(
     "lines",
     [

@@ -153,6 +153,16 @@ class LaunchClass(StringEnum):
 CLASSES = {row.value: row for row in LaunchClass if row is not LaunchClass.BRANCH}
 """What there is to import, by the names of the classes."""
 
+_OF_NAV2 = frozenset(
+    {
+        LaunchClass.REWRITTEN_YAML,
+        LaunchClass.REPLACE_STRING,
+        LaunchClass.HAS_NODE_PARAMS,
+        LaunchClass.LAUNCH_CONFIG_AS_BOOL,
+    }
+)
+"""The classes of nav2_common: its ``Node`` of the days of Dashing took other arguments than that of launch_ros."""
+
 SUBSTITUTIONS = frozenset(
     {
         LaunchClass.LAUNCH_CONFIGURATION,
@@ -251,7 +261,7 @@ def find(path: str) -> Api | None:
         return None
     name = rest.rpartition(".")[2]
     row = CLASSES.get(ALIASES.get(name, name))
-    if row is None:
+    if row is None or (top == "nav2_common" and row not in _OF_NAV2):
         return None
     effect: EffectName = "launch_description" if row is LaunchClass.LAUNCH_DESCRIPTION else "launch_object"
     return Api(f"launch.{row}", row.signature, effect=effect, makes=row.value)

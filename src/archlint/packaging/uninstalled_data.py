@@ -42,6 +42,8 @@ def data_left_out(workspace: WorkspaceIndex) -> Iterator[DataLeftOut]:
             place = None if installs is None else mended_at(workspace, installs)
             if installs is None or place is None or installs.may_install(file):
                 continue
+            if posixpath.normpath(file) == "package.xml" and place.file.endswith("CMakeLists.txt"):
+                continue  # ament_package() installs it
             if _is_left_out(workspace, installs, file):
                 elsewhere = installs.places_of(posixpath.join(installs.folder, file))
                 yield DataLeftOut(package, file, Place(path, *span), place, instead=next(elsewhere, ""))
