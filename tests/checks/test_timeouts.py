@@ -328,6 +328,56 @@ def test_a_start_of_which_a_comment_says_that_it_waits(judge: Judge, doc: str, a
     assert found.severity is severity
 
 
+IN_ORDER = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import String
+    from std_srvs.srv import SetBool, Trigger
+
+
+    class Mover(Node):
+        def __init__(self):
+            super().__init__('mover')
+            self.create_subscription(String, 'words', self.on_word, 10)
+            self.client = self.create_client({kind}, '{name}')
+            self.client.wait_for_service()  # here
+            self.enable = self.create_client(SetBool, 'enable')
+            self.enable.wait_for_service()
+
+        def on_word(self, word):
+            self.enable.call_async(SetBool.Request(data=True))
+            {more}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Mover())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "more", "severity"),
+    [
+        ("Trigger", "/arm/init_finish", "", Severity.INFO),
+        ("Trigger", "arm/ready", "", Severity.INFO),
+        ("Trigger", "arm/home", "", Severity.WARNING),
+        ("Trigger", "arm/make_ready_now", "", Severity.WARNING),
+        ("SetBool", "arm/ready", "", Severity.WARNING),
+        ("Trigger", "arm/ready", "self.client.call_async(Trigger.Request())", Severity.WARNING),
+    ],
+    ids=["its name says so", "ready", "something to do", "a part of a name", "another type", "asked"],
+)
+def test_a_start_in_the_order_of_services_that_are_there_to_be_waited_for(
+    judge: Judge, kind: str, name: str, more: str, severity: Severity
+):
+    [found] = judge("TMO001", IN_ORDER.format(kind=kind, name=name, more=more))
+    assert found.severity is severity
+
+
 ARMS = """
     import rclpy
     from rclpy.node import Node

@@ -36,7 +36,12 @@ from archlint.checks.wait_words import (
     server_words,
 )
 from archlint.connections.lessons import is_lesson
-from archlint.execution.announced_waits import is_announced_start, is_documented_start, is_ended_by_hand
+from archlint.execution.announced_waits import (
+    is_announced_start,
+    is_documented_start,
+    is_ended_by_hand,
+    is_start_in_order,
+)
 from archlint.execution.asking_scripts import is_launched, is_step_of_asking_script
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.called_by_hand import is_driven_by_hand
@@ -175,6 +180,7 @@ def _is_minor(system: System, program: Program, call: ApiCall) -> bool:
         or _is_step_of_script(call)
         or _is_start(system, call)
         or is_documented_start(system, call)
+        or is_start_in_order(program, call)
         or is_step_of_asking_script(system, program, call)
     ):
         return True

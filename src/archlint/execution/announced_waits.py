@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from archlint.analysis.reach import creations_of
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model import Role
 from archlint.syntax import facts
@@ -13,7 +14,7 @@ from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall
+    from archlint.model import ApiCall, Program
     from archlint.systems.model import System
 
 _SAYS = frozenset({"info", "warn", "warning", "error", "print"})
@@ -50,6 +51,27 @@ _TELLS = re.compile(
     re.IGNORECASE,
 )
 """Words for waiting, and no call of a function whose name has one."""
+
+
+def is_start_in_order(program: Program, call: ApiCall) -> bool:
+    """Whether the constructor around a wait also waits for a service that is there to be waited for: its name says that
+    its node is ready, and nobody asks it for anything.  So its author wants things to come up in this order."""
+    requests = (other for other in program.calls if other.api in _REQUESTS)
+    asked = {client.place for request in requests for client in creations_of(request.receiver)}
+    return call.context.role in (Role.INIT, Role.MAIN) and any(
+        client.type == _TRIGGER and client.place not in asked and _READY.search(client.name.text or "")
+        for other in program.calls
+        if other.api == call.api and (other.function, other.file) == (call.function, call.file)
+        for client in creations_of(other.receiver)
+    )
+
+
+_TRIGGER = "std_srvs/srv/Trigger"
+_REQUESTS = frozenset({"rclpy.client.Client.call", "rclpy.client.Client.call_async"})
+_READY = re.compile(
+    r"(?:^|[/_])(?:ready|(?:init(?:iali[sz]ation)?|start(?:up)?|boot)_(?:finish|finished|done|complete|completed|ready))$"
+)
+"""The end of a name such as ``/arm/init_finish``."""
 
 
 def is_ended_by_hand(system: System, call: ApiCall) -> bool:
@@ -106,4 +128,4 @@ def _says_so(e: facts.Expr) -> bool:
     return any("waiting" in text.lower() for text in texts)
 
 
-__all__ = ["is_announced_start", "is_documented_start", "is_ended_by_hand", "says_something"]
+__all__ = ["is_announced_start", "is_documented_start", "is_ended_by_hand", "is_start_in_order", "says_something"]
