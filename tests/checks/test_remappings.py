@@ -208,6 +208,14 @@ def test_a_name_of_another_executable_that_the_same_action_may_start(findings):
 
 
 def test_what_every_node_has_is_in_no_namespace(findings):
-    (told,) = findings("LCH002", node('<remap from="clock" to="/world/clock"/>', namespace="left"))
+    remap, simulated = '<remap from="clock" to="/world/clock"/>', '<param name="use_sim_time" value="true"/>'
+    (told,) = findings("LCH002", node(simulated + remap, namespace="left"))
     assert told.message == "/left/talker has no name '/left/clock', so this remapping has no effect"
     assert told.help == "write '/clock', which every node has by this name in any namespace, or remove it"
+
+
+def test_a_clock_that_the_node_does_not_hear(findings):
+    remap, computed = '<remap from="clock" to="/world/clock"/>', '<param name="use_sim_time" value="false"/>'
+    assert not findings("LCH002", node(remap, namespace="left"))
+    assert not findings("LCH002", node(computed + remap, namespace="left"))
+    assert findings("LCH002", node('<remap from="clocks" to="/world/clock"/>', namespace="left"))

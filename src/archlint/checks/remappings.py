@@ -140,9 +140,14 @@ def _dead(system: System, remap: Remap, nodes: list[Node], started: Started) -> 
         target = names.expand(remap.target.text or "", name, namespace)
         if remap.target.resolution == "exact" and target in names_of_node:
             return None  # it says what the node has anyway, as one that says the name again does
-    if _is_for_another_value(system, source, nodes, started):
+    if _is_for_another_value(system, source, nodes, started) or _is_of_no_clock(source, nodes):
         return None
     return _Dead(source, expanded, frozenset(known))
+
+
+def _is_of_no_clock(source: str, nodes: Sequence[Node]) -> bool:
+    """Whether a remapping is for ``clock``, which none of the nodes hears: they go by the time of the computer."""
+    return source == "clock" and not any(node.overrides.get("use_sim_time") is True for node in nodes)
 
 
 def _is_for_another_value(system: System, source: str, nodes: Sequence[Node], started: Started) -> bool:
