@@ -11,6 +11,7 @@ import pytest
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
+from checks.judging import Judge
 from learners import Learned, complete
 
 Robot = Callable[..., list[str]]
@@ -314,3 +315,51 @@ def test_who_waits_for_the_answer_sends_no_more_meanwhile(robot: Robot):
         "call_async(Trigger.Request())", "call(Trigger.Request(), timeout_sec=5.0)"
     )
     assert robot(CAMERA.format(more="") + TICK, methods) == []
+
+
+MODES = """
+    import rclpy
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+    from std_msgs.msg import String
+    from std_srvs.srv import Trigger
+
+    class Manager(Node):
+        def __init__(self):
+            super().__init__('manager')
+            self.modes = self.create_publisher(String, 'mode', 10)
+            self.create_service(Trigger, 'state', self.on_state)
+            self.create_timer(1.0, lambda: self.modes.publish(String(data='idle')))
+
+        def on_state(self, request, response):
+            response.message = 'idle'
+            return response
+
+    class Display(Node):
+        def __init__(self):
+            super().__init__('display')
+            self.client = self.create_client(Trigger, 'state')
+            self.create_subscription(String, '{topic}', print, 10)
+            self.create_timer(1.0, self.ask)
+
+        def ask(self):
+            self.client.call_async(Trigger.Request()).add_done_callback(self.on_answer){mark}
+
+        def on_answer(self, future):
+            print(future.result().message)
+
+    def main():
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        executor.add_node(Manager())
+        executor.add_node(Display())
+        executor.spin()
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(("topic", "mark"), [("mode", ""), ("battery", "  # here")])
+def test_a_server_whose_topic_the_node_hears_anyway(judge: Judge, topic: str, mark: str):
+    judge("SRV004", MODES.format(topic=topic, mark=mark))

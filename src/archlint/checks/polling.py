@@ -30,6 +30,7 @@ from archlint.execution.callback_roles import callback_words, related_to, runs_i
 from archlint.execution.polling import sends_the_same
 from archlint.execution.request_paces import RequestPace, pace_of_request
 from archlint.finding import Finding, Related
+from archlint.model import EntityKind
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation, Program
@@ -62,6 +63,8 @@ def _what_is_wrong(system: System, program: Program, call: ApiCall, pace: Reques
     if late is not None:
         return _too_late(late, pace)
     asks = _takes_data(program, client) and not is_command(system, client)
+    if asks and _hears_the_server(system, client):
+        return None
     if pace.kind != "message" and asks and sends_the_same(source_code(system), call):
         words = f"the same request {pace.words}: use a topic for this data"
         return words, "let the server publish the data, and subscribe to it", ()
@@ -75,6 +78,16 @@ def _too_late(late: Overrun, pace: RequestPace) -> _Said:
     words = f"a request {pace.words}, and each keeps its handler for {late.seconds:.3g} s: the requests pile up"
     related = (Related(late.place, f"the handler sleeps here; it takes {late.seconds:.3g} s in all"),)
     return words, "send the next request when the last one is answered, or less often", related
+
+
+def _hears_the_server(system: System, client: Creation) -> bool:
+    """Whether the node that asks already subscribes to something that the server's node publishes: there is a topic,
+    and what it asks for besides is chosen."""
+    ends = [end for end in system.endpoints if end.creation.place == client.place and end.name is not None]
+    asked = {end.name for end in ends if end.kind == EntityKind.CLIENT}
+    servers = [end.node for end in system.endpoints if end.kind == EntityKind.SERVICE and end.name in asked]
+    published = {end.name for node in servers for end in node.of_kind(EntityKind.PUBLISHER)} - {None}
+    return any(end.name in published for own in ends for end in own.node.of_kind(EntityKind.SUBSCRIBER))
 
 
 def _takes_data(program: Program, client: Creation) -> bool:
