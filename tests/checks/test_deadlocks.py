@@ -259,6 +259,8 @@ self.create_subscription(Empty, 'goal', self.on_goal, 10)
         {body}
     """
     assert codes(run(source(setup + TIMER, method, ON_ONE_THREAD))) == expected
+    cleared = setup.replace("Event()", "Event()\nself.there.clear()")  # as new as it was
+    assert codes(run(source(cleared + TIMER, method, ON_ONE_THREAD))) == expected
 
 
 CAMERAS = """

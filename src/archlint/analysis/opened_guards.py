@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.parts import everything_in
+from archlint.syntax.misspelt_constructor import CONSTRUCTOR
+from archlint.syntax.parts import Itself, everything_in, parts_of
 from archlint.syntax.walk import called_name, is_none, statements_of
 
 if TYPE_CHECKING:
@@ -46,8 +47,17 @@ def _is_cleared(code: SourceCode, wait: ApiCall) -> bool:
     if expression is None or file_facts is None:
         return True
     event = _owner(expression)
-    functions = everything_in(file_facts.body, facts.Call)
-    return not event or any(called_name(call) == "clear" and _owner(call) == event for call in functions)
+    calls = everything_in(file_facts.body, facts.Call)
+    new = {Itself(call) for call in _while_made(file_facts.body)}  # an event that is new is not set
+    again = (call for call in calls if called_name(call) == "clear" and Itself(call) not in new)
+    return not event or any(_owner(call) == event for call in again)
+
+
+def _while_made(body: Sequence[facts.Stmt]) -> Iterator[facts.Call]:
+    """The calls of a file that constructors make themselves, before anything can be waited for."""
+    for function in everything_in(body, facts.Function):
+        if function.name == CONSTRUCTOR:
+            yield from parts_of(function.body, facts.Call)
 
 
 def _owner(call: facts.Call) -> str:
