@@ -206,6 +206,7 @@ def test_a_large_workspace_hears_of_the_two_ends_of_one_topic(folder: Path):
         "lidar": node("Lidar", "lidar/scan"),
         "user": subscriber("User", "/lidar/scan"),
         "viewer": node("Viewer", "/user/state"),
+        "recorder": subscriber("Recorder", "lidar/scan"),
     }
     [finding] = check(request(folder, **nodes, **many(*MOSTLY_RELATIVE))).findings
 
@@ -217,6 +218,19 @@ def test_a_large_workspace_hears_of_the_two_ends_of_one_topic(folder: Path):
     assert [(related.place.file, related.message) for related in finding.related] == [
         ("robot/lidar.py", "'lidar/scan' is relative here"),
     ]
+
+
+@pytest.mark.parametrize(
+    ("launch", "told"),
+    [
+        ('<node pkg="robot" exec="lidar"/>', False),
+        ('<node pkg="robot" exec="lidar"/><node pkg="robot" exec="node0" namespace="part"/>', True),
+    ],
+    ids=["nothing in a namespace", "another node in one"],
+)
+def test_of_two_ends_that_differ_either_may_be_meant(folder: Path, launch: str, told: bool):
+    nodes = {"lidar": node("Lidar", "lidar/scan"), "user": subscriber("User", "/lidar/scan")}
+    assert bool(check(request(folder, launch, **nodes, **many(*MOSTLY_RELATIVE))).findings) is told
 
 
 @pytest.mark.parametrize(
@@ -246,6 +260,7 @@ def test_a_slip_is_a_name_whose_class_follows_its_namespace_otherwise(
 def test_a_relative_name_of_a_family_of_absolute_ones_does_not_fit(folder: Path, family: str, told: bool):
     """Taking the '/' from one more name of ``/lidar/…`` would be the wrong end."""
     nodes = {"lidar": node("Lidar", "lidar/scan"), "user": subscriber("User", "/lidar/scan")}
+    nodes["recorder"] = subscriber("Recorder", "lidar/scan")
     others = many(*(f"/{family}/state{number}" for number in range(7)))
     assert bool(check(request(folder, **nodes, **others)).findings) is told
 
@@ -268,7 +283,7 @@ def test_a_relative_name_that_says_nothing_against_an_absolute_one(folder: Path,
 @pytest.mark.parametrize(
     ("launch", "told"),
     [
-        ('<node pkg="robot" exec="robot"/><node pkg="robot" exec="monitor"/>', True),
+        ('<node pkg="robot" exec="robot"/><node pkg="robot" exec="node0" namespace="part"/>', True),
         ('<node pkg="robot" exec="robot" namespace="robot_1"/><node pkg="robot" exec="monitor"/>', False),
         ('<node pkg="robot" exec="robot"/><node pkg="robot" exec="monitor" namespace="fleet"/>', False),
         ('<node pkg="robot" exec="robot"><remap from="command" to="/robot_1/command"/></node>', False),

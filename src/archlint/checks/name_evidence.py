@@ -80,7 +80,7 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
     """
     if everywhere or is_lesson_about_names(system):
         return _told_of_all(system.workspace, names, everywhere)
-    parted = _without_exceptions(_parted(system.workspace, names), names)
+    parted = _without_exceptions(_well_founded(system.workspace, _parted(system.workspace, names), names), names)
     kept = _with_other_absolute_names(names, parted)
     meant = {_end_of(name) for name in names if name.home in kept}
     return [
@@ -88,6 +88,22 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
         for name in names
         if name.text[:1] != "/" or (_end_of(name) in parted and _end_of(name) not in meant)
     ]
+
+
+def _well_founded(
+    workspace: WorkspaceIndex | None, parted: dict[tuple[str, str | None], Reason], names: Iterable[FixedName]
+) -> dict[tuple[str, str | None], Reason]:
+    """The names that two other ends at least, in packages, have as relative ones: of two ends that differ either may
+    be meant, and where no launch file has a namespace it does not matter which."""
+    if workspace is None or any(namespace for namespace, _ in _started_in(workspace)):
+        return parted
+    relative = {
+        (f"/{name.text}", name.endpoint.type, name.endpoint.place)
+        for name in names
+        if name.is_relative and (not workspace.manifests or workspace.package_of(name.endpoint.place.file) is not None)
+    }
+    ends = Counter((text, type) for text, type, _ in relative)
+    return {end: reason for end, reason in parted.items() if ends[end] > 1}
 
 
 def _without_exceptions(
