@@ -126,6 +126,7 @@ def _written(here: str = "''", there: str = "''") -> dict[str, str]:
         ("[str(lc)]", "str() is called with a LaunchConfiguration", "the substitution itself"),
         ("[str(lc) if start else '']", "str() is called with a LaunchConfiguration", "in an OpaqueFunction"),
         ("dict(rate=int(lc))", "int() is called with a LaunchConfiguration", "the substitution itself"),
+        ("start([str(lc), 'b'])", "str() is called with a LaunchConfiguration", "in an OpaqueFunction"),
         ("list(open(lc))", "open() is called with a LaunchConfiguration", "in an OpaqueFunction"),
         ("lc == 'true'", "so that this is always false", "EqualsSubstitution"),
         ("'true' != lc", "so that this is always true", "NotEqualsSubstitution"),

@@ -250,7 +250,17 @@ def _tested(code: _Code, test: facts.Expr) -> Iterator[Misused]:
 
 
 def _given(body: list[facts.Stmt]) -> Iterator[facts.Expr]:
-    """What is an argument of a call, or an item of a display; a condition is none of these."""
+    """What is an argument of a call, or an item of a display; a condition is none of these, nor is what a function of
+    the file itself is called with, which may ask for its text."""
+    own = {function.name for function in everything_in(body, facts.Function)}
+    calls = [call for call in everything_in(body, facts.Call) if call.func.dotted in own]
+    asked = {id(part) for call in calls for argument in call.args for part in everything_in(argument.value)}
+    for value in _handed_on(body):
+        if id(value) not in asked:
+            yield value
+
+
+def _handed_on(body: list[facts.Stmt]) -> Iterator[facts.Expr]:
     for part in everything_in(body):
         match part:
             case facts.Call(args=arguments):
