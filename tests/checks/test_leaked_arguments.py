@@ -156,3 +156,19 @@ def test_an_argument_that_nobody_takes_is_told_otherwise(findings):
     files = {"launch/driver.launch.xml": "<launch/>"}
     assert findings("LCH009", launch, **files) == []
     assert len(findings("LCH003", launch, **files)) == 1
+
+
+@pytest.mark.parametrize(
+    ("shown", "told"),
+    [
+        ('<let name="seen" value="$(var rviz)" if="false"/>', False),
+        ('<let name="seen" value="$(var rviz)" if="true"/>', True),
+        ('<let name="seen" value="$(var rviz)" if="false"/><let name="shown" value="$(var rviz)"/>', True),
+        ('<let name="shown" value="$(var rviz)"/><let name="seen" value="$(var rviz)" if="false"/>', True),
+        ("", True),  # nobody knows who reads it
+    ],
+)
+def test_an_argument_that_only_what_nothing_runs_reads(findings, shown: str, told: bool):
+    panel = f'<launch><arg name="rviz" default="maybe"/>{shown}</launch>'
+    launch = include("driver", rviz="false") + include("panel")
+    assert bool(findings("LCH009", launch, **FILES | {"launch/panel.launch.xml": panel})) is told

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from archlint.launch.mistakes import LeakedArgument
 from archlint.launch.named_files import is_made_by_launch
 from archlint.launch.objects import known_text
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -36,6 +37,15 @@ class _Default(NamedTuple):
     includes: tuple[Place, ...]
 
 
+@dataclass
+class _InVain:
+    """A leak into a file that declares the argument itself; ``is_read`` once something reads the value that it has."""
+
+    value: Value
+    leak: LeakedArgument
+    is_read: bool = False
+
+
 class GivenArguments:
     """What includes have set last, by the name of the launch configuration, and which defaults files have set.
 
@@ -53,6 +63,8 @@ class GivenArguments:
         self._literals: dict[str, tuple[Value, Place]] = {}
         self._late: set[tuple[Place, str]] = set()
         """Includes, each with an argument that a timer or an event of what it includes reads."""
+        self._in_vain: dict[str, list[_InVain]] = {}
+        """What is declared in vain of each argument."""
         self._result = result
 
     def note_literal(self, name: str, value: Value, place: Place) -> None:
@@ -80,9 +92,12 @@ class GivenArguments:
         finally:
             self._passed.pop()
 
-    def note_read(self, name: str, value: Value | None, file: str, action: Place, *, late: bool) -> None:
+    def note_read(self, name: str, value: Value | None, file: str, action: Place, *, late: bool, dormant: bool) -> None:
         """An action of a file reads a value, perhaps one that an include in front of it has set there; ``late`` if a
-        timer or an event runs the action."""
+        timer or an event runs the action, ``dormant`` if nothing does with the arguments as they are."""
+        for row in self._in_vain.get(name, ()):
+            if row.value is value:
+                self._note_use(row, dormant)
         given = self._given.get(name)
         if late and given is not None and given.value is value and given.file != file:
             self._late.add((given.include, name))
@@ -114,11 +129,12 @@ class GivenArguments:
         given, other = self._given.get(name), self._defaults.get(name)
         if given is not None and given.value is value and given.include not in includes:
             self._result.reach_later.add(given.place)
-            self._note_leak(name, value, own, given.place, place, file, given.include)
+            self._note_in_vain(value, self._note_leak(name, value, own, given.place, place, file, given.include))
         elif other is not None and other.value is value and other.file != file:
             beside = [include for include in other.includes if include not in includes]
             if beside:
-                self._note_leak(name, value, own, other.place, place, file, beside[0], default=True)
+                leak = self._note_leak(name, value, own, other.place, place, file, beside[0], default=True)
+                self._note_in_vain(value, leak)
 
     def _note_leak(
         self,
@@ -131,14 +147,28 @@ class GivenArguments:
         include: Place,
         *,
         default: bool = False,
-    ) -> None:
+    ) -> LeakedArgument | None:
         text, own_text = known_text(value), known_text(own)
         if text is None or own_text is None or is_made_by_launch(text):
             # A file that a launch makes, of another mostly: it may well have what the other has.
-            return
-        if text.lower() != own_text.lower():
-            leak = LeakedArgument(
-                name, text, own_text, given, read, file, include, default, (include, name) in self._late
-            )
-            if leak not in self._result.leaked:
-                self._result.leaked.append(leak)
+            return None
+        if text.lower() == own_text.lower():
+            return None
+        leak = LeakedArgument(name, text, own_text, given, read, file, include, default, (include, name) in self._late)
+        if leak not in self._result.leaked:
+            self._result.leaked.append(leak)
+        return leak
+
+    def _note_in_vain(self, value: Value, leak: LeakedArgument | None) -> None:
+        if leak is not None:
+            self._in_vain.setdefault(leak.name, []).append(_InVain(value, leak))
+
+    def _note_use(self, row: _InVain, dormant: bool) -> None:
+        """Something reads a value that has leaked.  It matters to nobody where only what nothing runs does so."""
+        leaked = self._result.leaked
+        if not dormant:
+            row.is_read = True
+            if row.leak not in leaked:
+                leaked.append(row.leak)
+        elif not row.is_read and row.leak in leaked:
+            leaked.remove(row.leak)

@@ -217,7 +217,7 @@ class LaunchRun(Run):
         """A launch configuration is read, perhaps one that an include in front has set."""
         self.result.read.add(name)
         value = self.launch.configurations.get(name)
-        self.given.note_read(name, value, self.file, self.place_now, late=self.later > 0)
+        self.given.note_read(name, value, self.file, self.place_now, late=self.later > 0, dormant=self.is_dormant)
         if name in self.gone and value is self.gone[name]:
             self._note_gone(name)
 
