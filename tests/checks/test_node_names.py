@@ -179,10 +179,58 @@ READER = ["reader = Node('reader')", "rate = reader.declare_parameter('rate', 1.
             False,
             id="with callbacks",
         ),
+        pytest.param(
+            [*READER, "if rate > 2:", "    reader.destroy_node()", "    rclpy.spin(Talker(rate))"],
+            False,
+            id="in the same branch",
+        ),
+        pytest.param(
+            [
+                "old = Talker()",
+                "if old.get_name() == 'a':",
+                "    try:",
+                "        old.destroy_node()",
+                "    except Exception as error:",
+                "        print(error)",
+                "    for _ in range(3):",
+                "        rclpy.spin_once(Node('talker'))",
+            ],
+            False,
+            id="in the same branch, tried",
+        ),
     ],
 )
 def test_a_node_that_is_destroyed_before_the_next_is_made_is_gone(findings, main, told):
     assert bool(findings(None, main)) is told
+
+
+@pytest.mark.parametrize(
+    ("main", "told"),
+    [
+        pytest.param(["node = Talker()", "rclpy.spin(node)\n\n\nmain()"], False, id="the import runs main, too"),
+        pytest.param(["old = Talker()", "rclpy.spin_once(old)", "rclpy.spin(Node('talker'))"], True, id="a moment"),
+        pytest.param(
+            [
+                "from threading import Thread",
+                "old = Talker()",
+                "Thread(target=rclpy.spin, args=(old,)).start()",
+                "new = Node('talker')",
+                "rclpy.spin(new)",
+            ],
+            True,
+            id="in a thread",
+        ),
+    ],
+)
+def test_an_import_that_spins_leaves_no_node(findings, main, told):
+    assert bool(findings(None, main)) is told
+
+
+@pytest.mark.parametrize(("called", "told"), [("robot.again()", True), ("plugins.run(robot)", False)])
+def test_a_node_of_a_method_that_perhaps_nothing_calls(findings, called, told):
+    lines = ["import plugins", "class Robot:", "    def __init__(self):", "        self.node = Node('talker')"]
+    lines += ["    def again(self):", "        self.other = Node('talker')", "robot = Robot()", called]
+    assert bool(findings(None, [*lines, "rclpy.spin(robot.node)"])) is told
 
 
 def test_a_callback_makes_its_node_before_main_destroys_the_first(findings):

@@ -18,11 +18,13 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch.parameter_sources import files_among
+from archlint.model import Role
 from archlint.systems.overrides import key_matches, settings_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.launch.started import Started
+    from archlint.model import Blueprint
     from archlint.systems.model import System
     from archlint.systems.nodes import Node
 
@@ -101,6 +103,9 @@ def _in_other_branches(node: Node, other: Node) -> bool:
     first, second = node.blueprint, other.blueprint
     if first is None or second is None:
         return False
+    makers = first.made_by, second.made_by
+    if makers[0] is not makers[1] and any(maker is not None and maker.role == Role.METHOD for maker in makers):
+        return True  # what calls the method is not known
     if first.branch_arms & second.ended_arms or second.branch_arms & first.ended_arms:
         return True
     return exclusive(first.branch_arms, second.branch_arms)
@@ -111,11 +116,20 @@ def _gone_before(node: Node, other: Node) -> bool:
     first, second = node.blueprint, other.blueprint
     if first is None or second is None:
         return False
-    if first.destroyed_at is not None and first.made_by is second.made_by and second.number >= first.destroyed_at:
+    ends = first.gone if _made_in_turn(first, second) else ()
+    if any(second.number >= number and arms <= second.branch_arms for arms, number in ends):
         return True
     if first.until is None or any(c.callbacks for c in first.creations):
         return False
     return second.number >= first.until
+
+
+def _made_in_turn(first: Blueprint, second: Blueprint) -> bool:
+    """Whether one thread makes two nodes, one after the other."""
+    makers = first.made_by, second.made_by
+    return makers[0] is makers[1] or all(
+        maker is not None and maker.role in (Role.MAIN, Role.MODULE) for maker in makers
+    )
 
 
 def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:

@@ -270,6 +270,9 @@ class Blueprint:
     destroyed_at: int | None = None
     """How many nodes the program had made when ``destroy_node()`` ran on this one, whatever branch was taken, in what
     ``made_by`` is; None where it may live on."""
+    gone: tuple[tuple[BranchArms, int], ...] = ()
+    """Each ``destroy_node()`` on it, and each ``rclpy.spin()`` in an import, which returns once all nodes are shut
+    down: the branches that run it, and how many nodes the program had made by then."""
     enable_rosout: bool = True
     start_parameter_services: bool = True
     use_global_arguments: bool = True

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.interpreter.values import Instance, Known, OneOf, Value
-from archlint.libraries.rclpy import nodes
+from archlint.libraries.rclpy import made_nodes, nodes
 from archlint.libraries.rclpy.fields import EXECUTOR
 from archlint.libraries.values import ExecutorValue, FutureValue
 from archlint.syntax import facts
@@ -183,6 +183,8 @@ def spin(run: Run, call: ApiUse) -> Value:
         for node in spun:
             _visit(use, node, replace(_spell(run, call, node, lasting), taken_from=_added_to(run, use, node)))
     _serve(run, call)
+    if call.api.path == "rclpy.spin":
+        made_nodes.end_imported(run)
     return Known(None)
 
 

@@ -44,7 +44,7 @@ def create_node(run: Run, call: ApiUse) -> Value:
         known.ended_arms &= run.ended_arms()
         if known.until is not None and known.until < len(run.nodes.by_key):
             known.until = None  # made again, beside nodes that came later
-    known.destroyed_at = None
+    known.destroyed_at, known.gone = None, ()
     if "context" not in call.arguments:
         _note_too_early(run, place, call.api.path.rpartition(".")[2])
     return NodeValue(known, run.store.new_key())
@@ -96,9 +96,23 @@ def node_init(run: Run, call: ApiUse) -> Value:
 def destroy_node(run: Run, call: ApiUse) -> Value:
     """``node.destroy_node()``: from here on there is no such node, if no branch leaves it alive."""
     node = known_node(run, call.receiver)
-    if node is not None and node.made_by is run.context and node.branch_arms.issuperset(run.branch_arms):
-        node.destroyed_at = len(run.nodes.by_key)
+    if node is not None and node.made_by is run.context:
+        _end(run, node)
+        if node.branch_arms.issuperset(run.branch_arms):
+            node.destroyed_at = len(run.nodes.by_key)
     return Known(None)
+
+
+def end_imported(run: Run) -> None:
+    """A module that spins while it is imported: all nodes that the program has made by then are gone before the import
+    ends, as ``rclpy.spin()`` returns when its context is shut down."""
+    if run.context.role == model.Role.MODULE:
+        for node in run.nodes.by_key.values():
+            _end(run, node)
+
+
+def _end(run: Run, node: model.Blueprint) -> None:
+    node.gone += ((frozenset(run.branch_arms), len(run.nodes.by_key)),)
 
 
 def name_by_foreign_base(run: Run, receiver: Instance, path: str) -> None:
