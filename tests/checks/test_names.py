@@ -83,6 +83,15 @@ class TestHardcodedName:
     def test_other_names(self, judge: Judge, lines: tuple[str, ...]):
         judge("NME001", script(*lines))
 
+    @pytest.mark.parametrize(("type", "mark"), [("Int32", ""), ("String", "  # here")])
+    def test_a_node_that_has_a_relative_name_of_another_type(self, judge: Judge, type: str, mark: str):
+        """A converter takes in ``words`` and gives ``/words``: one form for both would be one topic of two types."""
+        lines = (
+            f"node.create_publisher(String, '/words', 10){mark}",
+            f"node.create_subscription({type}, 'words', print, 10)",
+        )
+        judge("NME001", script(*lines).replace("import String", "import Int32, String"))
+
     def test_the_default_of_an_argument_is_for_the_caller_to_change(self, judge: Judge):
         judge(
             "NME001",

@@ -150,6 +150,7 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
         return None
     if (
         _is_chosen(node, endpoint)
+        or _is_beside_its_relative_form(endpoint)
         or _is_remapped(workspace, endpoint)
         or _is_beside(workspace, _literal(endpoint).file)
         or is_in_data(workspace, name)
@@ -164,6 +165,13 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
     if is_not_installed(workspace, endpoint.place.file):
         return None if workspace is not None and workspace.manifests else WITHOUT_PACKAGE
     return _by_namespace(workspace, node)
+
+
+def _is_beside_its_relative_form(endpoint: Endpoint) -> bool:
+    """Whether a node has both ``/heading`` and ``heading``, of two types: it tells them apart, and one form for both
+    would put two types on one topic."""
+    name = (endpoint.written or "").removeprefix("/")
+    return any(end.written == name and end.type != endpoint.type for end in endpoint.node.endpoints)
 
 
 _SHOWN_OR_TOOL = frozenset({"example", "examples", "sample", "samples", "tool", "tools"})
