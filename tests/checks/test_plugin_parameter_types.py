@@ -195,6 +195,32 @@ def test_the_costmaps_of_a_file_are_one_finding(findings):
     assert told.severity is Severity.WARNING
 
 
+@pytest.mark.parametrize(
+    ("started", "readme", "times"),
+    [("controller, talker", "", 1), ("talker", "", 0), ("talker", "ros2 run … --params-file config/p.yaml", 1)],
+    ids=["it is started", "it is left out", "by hand"],
+)
+def test_a_costmap_in_a_file_that_nothing_is_started_with(findings, started: str, readme: str, times: int):
+    launch_file = f"""
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    file = os.path.join(get_package_share_directory('robot'), 'config', 'p.yaml')
+    controller = Node(package='nav2_controller', executable='controller_server', parameters=[file])
+    talker = Node(package='robot', executable='talker')
+    return LaunchDescription([{started}])
+"""
+    keys = ("amcl", "local_costmap", "global_costmap")
+    text = "".join(f"{name}:\n  ros__parameters:\n    use_sim_time: false\n" for name in keys)
+    files = {"config/p.yaml": text, "launch/nav.launch.py": launch_file, "README.md": readme}
+    told = [row for row in findings("PRM005", "", **files) if "gets none of them" in row.message]
+    assert len(told) == times
+
+
 @pytest.mark.parametrize(("named", "times"), [("nav2_params_v2", 0), ("nav2_params", 1), ("elsewhere", 1)])
 def test_a_costmap_in_a_file_that_another_one_has_replaced(findings, named: str, times: int):
     """The file that a launch file names is the one in use; without any, the command line may name both."""

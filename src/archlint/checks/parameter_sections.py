@@ -24,7 +24,7 @@ from archlint.launch_files.set_parameters import (
     rewritten_files,
     systems_that_load,
 )
-from archlint.launch_files.unloaded_parameter_files import has_no_reader
+from archlint.launch_files.unloaded_parameter_files import has_no_reader, is_left_out
 from archlint.records import dataclass
 from archlint.ros.external_nodes import well_known
 from archlint.suggestions import listed, meant, nearest
@@ -92,7 +92,8 @@ def _of_costmaps(workspace: WorkspaceIndex) -> Iterator[Finding]:
             related=[Related(other, f"so it is with '/{named}'") for other, named in others],
             identity=(file, "costmaps"),
         )
-        yield replace(told, severity=Severity.INFO) if has_no_reader(workspace, file) else told
+        if not is_left_out(workspace, file):
+            yield replace(told, severity=Severity.INFO) if has_no_reader(workspace, file) else told
 
 
 def _any_matches(key: str, started: Sequence[_Loader]) -> bool:

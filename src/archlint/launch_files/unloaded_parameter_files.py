@@ -93,6 +93,18 @@ def is_named(workspace: WorkspaceIndex, file: str) -> bool:
     return any(workspace.code.mentions(path, stem) and workspace.tree.lines_with(path, name) for path in paths)
 
 
+def is_left_out(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether nothing but launch files names a file, all of which is followed, and they give it to nothing that they
+    start: the action that would get it is left out of the description, say."""
+    if file in loaded_files(workspace):
+        return False
+    name = posixpath.basename(file)
+    paths = (path for path in workspace.tree.files_below(workspace.tree.top) if path.endswith(_NAMES) and path != file)
+    naming = {path for path in paths if workspace.tree.lines_with(path, re.escape(name))}
+    followed = {path for launched in workspace.launched if not launched.not_followed() for path in launched.sources}
+    return bool(naming) and naming <= followed
+
+
 def is_superseded(workspace: WorkspaceIndex, file: str, others: Collection[str]) -> bool:
     """Whether nothing names a file, and something names another one of its package, of ``others`` that have all that it
     has: it is what they were before."""
@@ -160,6 +172,7 @@ def _is_named_in_code(workspace: WorkspaceIndex, file: str) -> bool:
 
 __all__ = [
     "has_no_reader",
+    "is_left_out",
     "is_superseded",
     "is_template",
     "loaded_files",
