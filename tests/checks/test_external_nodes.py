@@ -137,6 +137,18 @@ def test_a_parameter_that_it_does_not_declare(told, known: ExternalNode, found: 
     assert told(("PRM004",), more=line.format("use_sim_time"), known=(known,)) == []
 
 
+@pytest.mark.parametrize(
+    ("given", "subject"), [('name="wheels" ', "the node 'wheels'"), ("", "a node of acme")], ids=["named", "nameless"]
+)
+def test_one_whose_namespace_is_not_known_is_called_what_the_launch_file_says(told, given: str, subject: str):
+    group = (
+        '<arg name="robot"/><group><push-ros-namespace namespace="$(var robot)"/>'
+        f'<node pkg="acme" exec="base" {given}><param name="wheelbase" value="0.2"/></node></group>'
+    )
+    ((_, _, message),) = told(("PRM004",), more=group)
+    assert message.startswith(f"{subject} declares no parameter 'wheelbase'")
+
+
 def test_what_such_a_node_does_not_declare_is_one_finding_for_all_that_start_it(told):
     line = '<node pkg="acme" exec="base"><param name="{}" value="0.2"/></node>'
     twice = line.format("max_speed") + line.format("use_odometry")

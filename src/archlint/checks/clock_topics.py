@@ -11,7 +11,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.sight import is_complete
 from archlint.finding import Finding, Related
-from archlint.launch_files.set_parameters import called, set_nodes
+from archlint.launch_files.set_parameters import set_nodes
 from archlint.model import EntityKind
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def _elsewhere(end: Endpoint) -> Finding:
     return finding(
         "TOP008",
         end.place,
-        f"{end.node.name} publishes a clock on '{end.name}', and nodes with use_sim_time listen to '{_CLOCK}'",
+        f"{end.node.shown} publishes a clock on '{end.name}', and nodes with use_sim_time listen to '{_CLOCK}'",
         help=f"publish it on '{_CLOCK}'",
         node=end.node.name,
         identity=(end.name or "",),
@@ -94,10 +94,10 @@ def _nobody(waiting: list[tuple[Node, Place]]) -> Finding:
     return finding(
         "TOP008",
         place,
-        f"{called(node)} takes its time from '{_CLOCK}'{also}, and no node publishes that: its time stays 0, and its "
+        f"{node.shown} takes its time from '{_CLOCK}'{also}, and no node publishes that: its time stays 0, and its "
         "timers never fire",
         help=f"start what publishes '{_CLOCK}', or leave out {_SIMULATED}",
-        related=[Related(other, f"{called(row)} does, too") for row, other in others if other != place],
+        related=[Related(other, f"{row.shown} does, too") for row, other in others if other != place],
         node=node.name,
         identity=(_CLOCK,),
     )

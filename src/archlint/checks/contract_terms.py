@@ -90,7 +90,7 @@ def _differs(
     return finding(
         "ARC001",
         end.place,
-        f"{end.node.name} {does}; the contract '{contract.name}' allows {wanted}",
+        f"{end.node.shown} {does}; the contract '{contract.name}' allows {wanted}",
         help=help,
         related=[Related(contract.place, "the contract is here")],
         node=end.node.name,

@@ -48,7 +48,7 @@ def _broken(contract: Contract, chosen: Iterable[Link]) -> Iterator[Finding]:
             f"{outgoing[0].words()}, which the contract '{contract.name}' forbids",
             help="connect them through a node in between, or change the contract",
             related=[
-                *(Related(link.target.place, f"{link.target.node.name} is at the other end") for link in outgoing),
+                *(Related(link.target.place, f"{link.target.node.shown} is at the other end") for link in outgoing),
                 Related(contract.place, "the contract is here"),
             ],
             node=source.node.name,

@@ -42,9 +42,9 @@ def _not_the_owner(connection: Connection, end: Endpoint, owners: Globs) -> Find
     return finding(
         "OWN003",
         end.place,
-        f"{end.node.name} {does} '{connection.name}', which belongs to {' or '.join(owners)}",
+        f"{end.node.shown} {does} '{connection.name}', which belongs to {' or '.join(owners)}",
         help=f"let the owner {'publish' if does == 'publishes' else 'serve'} it, or list this node under [owners]",
-        related=[Related(other.place, f"{other.node.name}, the owner, {does} it here") for other in others],
+        related=[Related(other.place, f"{other.node.shown}, the owner, {does} it here") for other in others],
         node=end.node.name,
         identity=(end.kind, connection.name, end.node.name or ""),
     )

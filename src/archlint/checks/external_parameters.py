@@ -74,11 +74,11 @@ def _finding(node: Node, name: str, place: Place, free: set[str]) -> Finding:
     return finding(
         "PRM004",
         place,
-        f"{node.name} declares no parameter '{name}'{of}, so this value has no effect{hint(near)}",
+        f"{node.shown} declares no parameter '{name}'{of}, so this value has no effect{hint(near)}",
         help=f"it declares {listed_for(name, free)}" if free else "remove it",
         node=node.name,
         identity=(node.name or "", name),
-        group=(MISSPELT if near else f"{node.name} declares none of", node.package or "", node.executable or ""),
+        group=(MISSPELT if near else f"{node.shown} declares none of", node.package or "", node.executable or ""),
         meant=near or "",
     )
 

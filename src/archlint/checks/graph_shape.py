@@ -33,7 +33,7 @@ def isolated_node(system: System, options: Options) -> Iterator[Finding]:
             yield _finding(
                 "GRF001",
                 node,
-                f"{node.name} shares no topic, service or action with any other node",
+                f"{node.shown} shares no topic, service or action with any other node",
                 "connect it or remove it, or list names under `external` if it talks to something outside",
             )
 
@@ -69,7 +69,7 @@ def hub_bottleneck(system: System, options: Options) -> Iterator[Finding]:
             yield _finding(
                 "GRF003",
                 node,
-                f"{node.name} receives at least {total:g} messages a second on {topics}"
+                f"{node.shown} receives at least {total:g} messages a second on {topics}"
                 + (f", {len(high)} of them at {options.number('rate'):g} Hz and more" if high else ""),
                 "split the node by task, so that each node subscribes only to what it needs",
                 [end for end in node.of_kind(EntityKind.SUBSCRIBER) if end.name in incoming],
@@ -95,7 +95,7 @@ def single_point_of_failure(system: System, options: Options) -> Iterator[Findin
         yield _finding(
             "GRF004",
             node,
-            f"without {node.name} the system splits into {len(parts)} unconnected parts: "
+            f"without {node.shown} the system splits into {len(parts)} unconnected parts: "
             f"{', '.join(sorted(names)[:3])}",
             "start it with respawn=True, so that it restarts when it fails",
         )

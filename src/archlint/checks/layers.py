@@ -35,7 +35,7 @@ def layer_violation(system: System, options: Options) -> Iterator[Finding]:
             source.place,
             f"{outgoing[0].words()}: the layers '{high}' and '{low}' are not adjacent",
             help="connect them through a node of the layer in between",
-            related=[Related(link.target.place, f"{link.target.node.name} is at the other end") for link in outgoing],
+            related=[Related(link.target.place, f"{link.target.node.shown} is at the other end") for link in outgoing],
             node=source.node.name,
             identity=(high, low, source.name or "", source.node.name or ""),
         )

@@ -286,17 +286,17 @@ def _finding(user: Endpoint, candidates: list[Endpoint]) -> Finding:
     help = "use the same name at both ends, or remap one in the launch file"
     if user.written == nearest.written and _follows_node(user) and _follows_node(nearest):
         hint = f"both write '{user.written}'"
-        help = f"give {user.node.name} and {nearest.node.name} the same namespace in the launch file"
+        help = f"give {user.node.shown} and {nearest.node.shown} the same namespace in the launch file"
     at = nearest if user.external else user
     if hint.startswith("did") and not nearest.external and _is_the_right_one(user, nearest):
         return _of_publisher(user, nearest, help)
     return finding(
         "TOP004",
         at.place,
-        f"no node publishes '{user.name}', and no node subscribes to '{nearest.name}', which {nearest.node.name} "
+        f"no node publishes '{user.name}', and no node subscribes to '{nearest.name}', which {nearest.node.shown} "
         f"publishes with the same type; {hint}",
         help=help,
-        related=[Related(end.place, f"{end.node.name} publishes '{end.name}'") for end in candidates],
+        related=[Related(end.place, f"{end.node.shown} publishes '{end.name}'") for end in candidates],
         node=at.node.name,
         identity=(user.name or "", nearest.name or ""),
     )
@@ -307,10 +307,10 @@ def _of_publisher(user: Endpoint, provider: Endpoint, help: str) -> Finding:
     return finding(
         "TOP004",
         provider.place,
-        f"no node subscribes to '{provider.name}', and no node publishes '{user.name}', to which {user.node.name} "
+        f"no node subscribes to '{provider.name}', and no node publishes '{user.name}', to which {user.node.shown} "
         f"subscribes with the same type; did you mean '{user.name}'?",
         help=help,
-        related=[Related(user.place, f"{user.node.name} subscribes to '{user.name}'")],
+        related=[Related(user.place, f"{user.node.shown} subscribes to '{user.name}'")],
         node=provider.node.name,
         identity=(user.name or "", provider.name or ""),
     )

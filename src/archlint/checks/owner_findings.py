@@ -21,7 +21,7 @@ def finding_for_owners(code: str, owners: list[Endpoint], message: str, does: st
         last.place,
         message,
         help=help,
-        related=[Related(other.place, f"{other.node.name} {does}") for other in others],
+        related=[Related(other.place, f"{other.node.shown} {does}") for other in others],
         node=last.node.name,
         identity=(last.kind, last.name or "", *_names(owners)),
     )
@@ -42,4 +42,4 @@ def all_of(owners: Iterable[Endpoint]) -> str:
 
 
 def _names(owners: Iterable[Endpoint]) -> list[str]:
-    return sorted({endpoint.node.name or "" for endpoint in owners})
+    return sorted({endpoint.node.shown for endpoint in owners})

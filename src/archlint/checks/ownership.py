@@ -134,7 +134,7 @@ def _is_to(remap: Remap, name: str | None) -> bool:
 def _at_the_remapping(finding: Finding, owners: list[Endpoint], place: Place) -> Finding:
     """The finding where the launch file makes one topic of those of several nodes."""
     others = [
-        Related(remap.place, f"{end.node.name} is given '{end.name}' here")
+        Related(remap.place, f"{end.node.shown} is given '{end.name}' here")
         for end in owners[:-1]
         for remap in (() if end.node.started is None else end.node.started.remaps)
         if _is_to(remap, end.name)

@@ -18,7 +18,6 @@ from archlint.finding import Finding, Place, Related
 from archlint.launch_files.chosen_names import executable_is_chosen, executable_is_picked, has_another_choice
 from archlint.launch_files.files_read_in_code import is_read_in_code
 from archlint.launch_files.set_parameters import (
-    called,
     declared_in,
     files_of,
     files_of_process,
@@ -208,7 +207,7 @@ def _never_used(
     if key is not None and setting.written is None:
         return joined(node, setting, key, [defined])
     by_program = is_one_of_several and setting.written is None and not declared
-    subject = _process(node) if by_program else called(node)
+    subject = _process(node) if by_program else node.shown
     given = {other.name for other in settings}
     near = probable(setting.name, declared.keys() - given, rivals=given - declared.keys())
     if setting.name.rpartition(".")[2] in declared:
@@ -235,7 +234,7 @@ def _never_used(
 def _process(node: Node) -> str:
     """What a launch file sets a value on that reaches several nodes, none of which declares anything: their program."""
     executable = None if node.started is None else node.started.executable.text
-    return called(node) if executable is None else f"'{executable}'"
+    return node.shown if executable is None else f"'{executable}'"
 
 
 def _cause(setting: Setting, blueprint: Blueprint) -> tuple[str, ...]:
@@ -254,7 +253,7 @@ def _readers(system: System, setting: Setting) -> list[Node]:
             reads = node.started is not None and file in files_of_process(node.started)
             if node.blueprint is not None and reads and key_matches(setting.key, node.name):
                 by_class.setdefault(key_of(node.blueprint), node)
-    return sorted(by_class.values(), key=called)
+    return sorted(by_class.values(), key=lambda node: node.shown)
 
 
 def _read_by_several(readers: Sequence[Node], setting: Setting, settings: Sequence[Setting]) -> Finding:
@@ -264,7 +263,7 @@ def _read_by_several(readers: Sequence[Node], setting: Setting, settings: Sequen
     section = setting.place.file, setting.key
     given = {other.name for other in settings}
     near = did_you_mean(setting.name, every - given, rivals=given - every)
-    places = ((node.blueprint.place, called(node)) for node in readers if node.blueprint is not None)
+    places = ((node.blueprint.place, node.shown) for node in readers if node.blueprint is not None)
     return finding(
         "PRM004",
         setting.place,
@@ -302,7 +301,7 @@ def _one_for_a_node(several: Sequence[Finding]) -> Finding:
     under = f" (with {first.condition})" if first.condition else ""
     if subject.endswith("."):
         under += meant(f"'{first.meant}' for '{subject.rstrip('.')}'")
-        subject = f"{first.identity[0]} declares none of"
+        subject = f"{first.identity[0] or first.group[-1]} declares none of"
     said = listed([_with_hint(name, hints.get(name), name == names[0]) for name in names])
     return replace(
         first,

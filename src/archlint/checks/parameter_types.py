@@ -15,7 +15,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch_files.moveit_limits import mistyped_limits
 from archlint.launch_files.plugin_parameters import Mistyped, mistyped_values
-from archlint.launch_files.set_parameters import called, set_nodes
+from archlint.launch_files.set_parameters import set_nodes
 from archlint.launch_files.unloaded_parameter_files import has_no_reader, loaded_files
 from archlint.ros.parameter_types import ParameterType, type_of
 from archlint.workspace.kinds import is_cpp
@@ -86,7 +86,7 @@ def _of_another_type(node: Node, setting: Setting, declared: ParameterDeclaratio
     return finding(
         "PRM002",
         place,
-        f"parameter '{setting.name}' of {called(node)} is declared {_as(declared)} and set to "
+        f"parameter '{setting.name}' of {node.shown} is declared {_as(declared)} and set to "
         f"{_shown(setting.value)}, of type {given}{_for_want_of_quotes(setting.unquoted)}",
         help=_write(setting.value, declared) if setting.unquoted is None else _IN_A_FILE,
         related=[Related(declared.place, "it is declared here")],

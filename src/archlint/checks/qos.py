@@ -68,7 +68,7 @@ def _from_outside(code: str, row: FromOutside, verdict: Verdict) -> Finding:
     diagnostic = finding(
         code,
         user.place,
-        f"{user.node.name} requests {requested} on '{user.name}', but {row.publisher} offers {offered}: no message "
+        f"{user.node.shown} requests {requested} on '{user.name}', but {row.publisher} offers {offered}: no message "
         "arrives",
         help=_AT_SUBSCRIPTION[verdict.policy],
         node=user.node.name,
@@ -99,12 +99,12 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
     diagnostic = finding(
         code,
         at.place,
-        f"{user.node.name} requests {requested} on '{user.name}', but {offer.node.name} offers {offered}: {lost}",
+        f"{user.node.shown} requests {requested} on '{user.name}', but {offer.node.shown} offers {offered}: {lost}",
         help=_AT_PUBLISHER[verdict.policy] if user.external else _ADVICE[verdict.policy],
-        related=[Related(user.place, f"{user.node.name} requests {requested}")]
+        related=[Related(user.place, f"{user.node.shown} requests {requested}")]
         if user.external
         else [
-            Related(pair.offer.place, f"{pair.offer.node.name} offers {policy_words(mismatch, mismatch.offered)}")
+            Related(pair.offer.place, f"{pair.offer.node.shown} offers {policy_words(mismatch, mismatch.offered)}")
             for pair, mismatch in pairs
         ],
         node=at.node.name,

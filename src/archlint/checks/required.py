@@ -134,7 +134,7 @@ def _end_of_no_node(system: System, contract: Contract, globs: Globs, kind: Enti
 
 
 def _listed(nodes: list[Node]) -> str:
-    names = sorted({node.name or "" for node in nodes})
+    names = sorted({node.shown for node in nodes})
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
@@ -165,10 +165,10 @@ def _passes_by(contract: Contract, topic: Connection, end: Endpoint, past: list[
     reaches = f"and {past[0].target.node.name} receives it" if past else "which no node there subscribes to"
     return _finding(
         contract,
-        f"{end.node.name} publishes '{topic.name}' {reaches} without passing {through}, which the contract "
+        f"{end.node.shown} publishes '{topic.name}' {reaches} without passing {through}, which the contract "
         f"'{contract.name}' requires",
-        Related(end.place, f"{end.node.name} publishes it here"),
-        *(Related(link.target.place, f"{link.target.node.name} receives it here") for link in past),
+        Related(end.place, f"{end.node.shown} publishes it here"),
+        *(Related(link.target.place, f"{link.target.node.shown} receives it here") for link in past),
         identity=(topic.name, end.node.name or ""),
     )
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Place, Related
-from archlint.launch_files.set_parameters import called
 
 if TYPE_CHECKING:
     from archlint.model import ParameterDeclaration
@@ -50,7 +49,7 @@ def split_dict(node: Node, name: str, place: Place, parts: Sequence[Setting]) ->
         "PRM004",
         place,
         f"'{name}' is set to a dict, which {'launch' if in_launch else 'ROS'} splits: it sets "
-        f"'{parts[0].name}'{more}, which {called(node)} does not declare, and '{name}' keeps its default",
+        f"'{parts[0].name}'{more}, which {node.shown} does not declare, and '{name}' keeps its default",
         help=advice,
         related=[Related(row.place, f"'{name}' is declared here") for row in rows[:1]],
         node=node.name,
@@ -70,12 +69,12 @@ def joined(node: Node, setting: Setting, key: str, related: Sequence[Related]) -
     return finding(
         "PRM004",
         setting.place,
-        f"{called(node)} gets no '{key}' here: Python joins the text in quotes with the key that follows, and the node "
+        f"{node.shown} gets no '{key}' here: Python joins the text in quotes with the key that follows, and the node "
         "declares no parameter of that name",
         help="write the text as a comment, with # in front of each of its lines",
         related=related,
         node=node.name,
-        identity=(called(node), setting.name),
+        identity=(node.shown, setting.name),
     )
 
 

@@ -72,14 +72,14 @@ def _words(last: StartWait, ordered: list[StartWait]) -> str:
             f"this waits for {endpoint_words(last.client.creation)}, which the program itself makes only afterwards: "
             "it never goes on"
         )
-    nodes = " and ".join(dict.fromkeys(wait.client.node.name or "" for wait in ordered))
-    waits = ", ".join(f"{wait.client.node.name} for {wait.client.name}" for wait in ordered)
+    nodes = " and ".join(dict.fromkeys(wait.client.node.shown for wait in ordered))
+    waits = ", ".join(f"{wait.client.node.shown} for {wait.client.name}" for wait in ordered)
     return f"{nodes} wait for each other at their start ({waits}): none of them ever goes on"
 
 
 def _related(wait: StartWait) -> Iterator[Related]:
     awaited = "the response of " if wait.for_response else ""
-    yield Related(wait.call.place, f"{wait.client.node.name} waits for {awaited}{wait.client.name} here")
+    yield Related(wait.call.place, f"{wait.client.node.shown} waits for {awaited}{wait.client.name} here")
     until = "is made only afterwards" if wait.comes_after else "does not answer before that"
     yield Related(wait.server.place, f"{wait.server.name} {until}")
 

@@ -159,10 +159,10 @@ def _several_types(connection: Connection, ends: Sequence[Endpoint]) -> Finding:
     diagnostic = finding(
         "TOP001",
         last.place,
-        f"{last.node.name} {_DOES[last.kind]} '{connection.name}' as {', '.join(types[:-1])} and {types[-1]}: within "
+        f"{last.node.shown} {_DOES[last.kind]} '{connection.name}' as {', '.join(types[:-1])} and {types[-1]}: within "
         "one process Fast DDS, the default of ROS 2, refuses the second type, and the node stops there",
         help=f"choose one type, by a parameter say, and create one {_ONE[last.kind]}",
-        related=[Related(end.place, f"{end.node.name} {_DOES[end.kind]} it as {end.type}") for end in ends[:-1]],
+        related=[Related(end.place, f"{end.node.shown} {_DOES[end.kind]} it as {end.type}") for end in ends[:-1]],
         node=last.node.name,
         identity=(connection.kind, connection.name, *sorted(types)),
     )
@@ -270,11 +270,11 @@ def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, End
     return finding(
         code,
         last.place,
-        f"{last.node.name} {_DOES[last.kind]} '{connection.name}' as {last.type}, but "
+        f"{last.node.shown} {_DOES[last.kind]} '{connection.name}' as {last.type}, but "
         f"{against[0].node.name} {_DOES[against[0].kind]} it as {against[0].type}: they are never connected",
         help=f"use the same type at both ends of the {connection.kind}, or different names",
         related=[
-            Related(end.place, f"{end.node.name} {_DOES[end.kind]} it as {end.type}") for end in (*against, *rest)
+            Related(end.place, f"{end.node.shown} {_DOES[end.kind]} it as {end.type}") for end in (*against, *rest)
         ],
         node=last.node.name,
         identity=(connection.kind, connection.name, *sorted({end.type or "" for end in ends})),

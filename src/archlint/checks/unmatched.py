@@ -42,7 +42,7 @@ def topic_without_subscriber(system: System, options: Options) -> Iterator[Findi
                 "TOP002",
                 partners,
                 end,
-                f"{end.node.name} publishes '{end.name}', and no node subscribes to it",
+                f"{end.node.shown} publishes '{end.name}', and no node subscribes to it",
                 "subscribe to it, remove the publisher, or list the name under `external`",
             )
 
@@ -56,7 +56,7 @@ def topic_without_publisher(system: System, options: Options) -> Iterator[Findin
             "TOP003",
             partners,
             end,
-            f"{end.node.name} subscribes to '{end.name}', and no node publishes it: the callback never runs",
+            f"{end.node.shown} subscribes to '{end.name}', and no node publishes it: the callback never runs",
             "publish it, or list the name under `external`",
         )
 
@@ -70,8 +70,8 @@ def client_without_server(system: System, options: Options) -> Iterator[Finding]
             "SRV001",
             partners,
             end,
-            f"{end.node.name} calls the service '{end.name}', and no node offers it{besides}: the request never gets a "
-            "response",
+            f"{end.node.shown} calls the service '{end.name}', and no node offers it{besides}: the request never "
+            "gets a response",
             "start the node that serves it, or list the name under `external`",
             group=(end.place.file, end.kind) if besides else (),
         )
@@ -87,7 +87,7 @@ def action_client_without_server(system: System, options: Options) -> Iterator[F
             "ACT001",
             partners,
             end,
-            f"{end.node.name} sends goals to the action '{end.name}', and no node offers it{besides}: the goals are "
+            f"{end.node.shown} sends goals to the action '{end.name}', and no node offers it{besides}: the goals are "
             "never accepted or rejected",
             "start the node that serves it, or list the name under `external`",
             group=(end.place.file, end.kind) if besides else (),
@@ -143,7 +143,7 @@ def _without_server(
             continue
         left_out = left_out_server(system, sure[0]) if sure and in_sight(system) else None
         if left_out is not None:
-            yield sure[0], f", since this launch file starts all nodes of their package but {left_out.node.name}"
+            yield sure[0], f", since this launch file starts all nodes of their package but {left_out.node.shown}"
 
 
 def _lonely(
@@ -190,7 +190,7 @@ def _finding(
         end.place,
         message + meant(f"'{other.name}'" if other is not None else ""),
         help=help if other is None else "use the same name at both ends, or remap one in the launch file",
-        related=[Related(other.place, f"{other.node.name} has this one")] if other is not None else (),
+        related=[Related(other.place, f"{other.node.shown} has this one")] if other is not None else (),
         node=end.node.name,
         identity=(end.kind, end.name or ""),
         group=group if other is None else (),

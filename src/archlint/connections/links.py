@@ -32,7 +32,7 @@ class Link:
     def words(self) -> str:
         does, answers = _DOES[self.connection.kind]
         kind = "" if self.connection.kind == TOPIC else f"the {self.connection.kind} "
-        return f"{self.source.node.name} {does} {kind}'{self.connection.name}' and {self.target.node.name} {answers}"
+        return f"{self.source.node.shown} {does} {kind}'{self.connection.name}' and {self.target.node.shown} {answers}"
 
     def goes(self, contract: Contract) -> bool:
         """Whether it leads from a contract's ``from`` to its ``to``, over what the contract names."""

@@ -17,11 +17,6 @@ if TYPE_CHECKING:
     from archlint.systems.nodes import Node
 
 
-def called(node: Node) -> str:
-    """The name of a node, or its class where the name is not known."""
-    return node.name or (node.blueprint.class_name if node.blueprint is not None else "the node")
-
-
 def set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
     """The nodes of a launched system whose source is here, with what is set on each.  One whose name ROS rejects never
     starts, and nothing is set on it."""

@@ -171,6 +171,18 @@ class Node:
     def __repr__(self) -> str:
         return f"<Node {self.name}: {len(self.creations)} endpoints>"
 
+    @property
+    def shown(self) -> str:
+        """What messages call it: its name, or what else is known of it."""
+        if self.name is not None:
+            return self.name
+        if self.blueprint is not None:
+            return self.blueprint.class_name
+        given = None if self.started is None else self.started.name
+        if given is not None and given.text is not None and given.resolution in ("exact", "parameter"):
+            return f"the node '{given.text}'"
+        return "a node" if self.package is None else f"a node of {self.package}"
+
     @cached_property
     def endpoints(self) -> tuple[Endpoint, ...]:
         """Made when they are asked for: a node and its endpoints refer to each other, and neither ever changes."""
