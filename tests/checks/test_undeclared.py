@@ -479,6 +479,21 @@ def test_a_circle_that_an_unused_dependency_closes(lint: Lint, hand: str, help: 
     assert (found.place.file, found.help) == ("talk/talk/a.py", help)
 
 
+def test_a_circle_of_a_package_that_installs_modules_under_other_names(lint: Lint):
+    own = {
+        "arm/arm/a.py": node("from hand.msg import Finger\nprint(Finger)"),
+        "hand/hand/a.py": "import rclpy\nimport words\nprint(words)\n",
+        "talk/src/words/__init__.py": "",
+        "talk/src/words/plain.py": "WORDS = ['yes', 'no']\n",
+        "talk/package.xml": manifest("talk", *depends("rclpy")).replace("ament_python", "ament_cmake"),
+        "talk/CMakeLists.txt": "cmake_minimum_required(VERSION 3.8)\nproject(talk)\n"
+        "find_package(ament_cmake REQUIRED)\nfind_package(ament_cmake_python REQUIRED)\n"
+        "ament_python_install_package(words PACKAGE_DIR src/words)\nament_package()\n",
+    }
+    (found,) = lint({**CIRCLE, **own}, code="PKG003")
+    assert found.help == "move what both need into a separate package"
+
+
 @pytest.mark.parametrize(
     ("included", "help"),
     [

@@ -70,11 +70,13 @@ def _is_a_word_of(workspace: WorkspaceIndex, name: str) -> bool:
 
 
 def is_named_by_no_file(workspace: WorkspaceIndex, package: str, name: str) -> bool:
-    """Whether no text of a package has a name besides its manifest."""
+    """Whether no text of a package has the name of another one besides its manifest, nor that of a Python package which
+    the other installs."""
+    names = {name, *(module.partition(".")[0] for module in workspace.code.modules_of(name))}
     manifest = workspace.packages[package].manifest.relative
     paths = workspace.tree.files_below(posixpath.dirname(manifest) or workspace.tree.top)
     texts = (path for path in paths if path != manifest and posixpath.splitext(path)[1] in _TEXT)
-    return not any(workspace.code.mentions(path, name) for path in texts)
+    return not any(workspace.code.mentions(path, each) for path in texts for each in sorted(names))
 
 
 _OF_A_BUILD = (".action", ".c", ".cc", ".cpp", ".cxx", ".h", ".hpp", ".idl", ".msg", ".srv")
