@@ -123,6 +123,28 @@ def test_an_interface_that_another_description_may_have(findings, line: str):
     assert findings("PRM012", **files) == []
 
 
+def test_an_interface_that_a_macro_gives_to_every_joint(findings):
+    macro = """\
+<robot name="other" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="driven" params="name">
+    <joint name="${name}"><command_interface name="velocity"/><command_interface name="position"/></joint>
+  </xacro:macro>
+  <ros2_control name="other" type="system"><xacro:driven name="elbow_joint"/></ros2_control>
+</robot>
+"""
+    text = CONTROLLERS + "    joints: [elbow_joint]\n    command_interfaces: [effort]\n"
+    files = {"urdf/robot.urdf.xacro": ROBOT, "urdf/other.urdf.xacro": macro}
+    assert findings("PRM012", **{**files, "config/p.yaml": text.replace("effort", "position")}) == []
+    (found,) = findings("PRM012", **{**files, "config/p.yaml": text})
+    assert found.message.endswith("and the hardware there has 'position', 'velocity'")
+
+
+def test_an_interface_that_several_joints_lack_is_told_once(findings):
+    robot = ROBOT.replace("<gpio", '<joint name="arm_joint_1"><command_interface name="velocity"/></joint><gpio')
+    (found,) = _told(findings, "joints: [elbow_joint, arm_joint_1]", "command_interfaces: [position]", robot=robot)
+    assert found.related == ()
+
+
 def test_a_file_that_nobody_reads_is_information(findings):
     not_installed = {"setup.py": SETUP.replace("glob('config/*')", "[]")}
     text = CONTROLLERS + "    joints: [elbow]\n"

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.folding import folds, with_others, with_places
+from archlint.checks.folding import folds, with_other_places, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Severity
@@ -82,7 +82,7 @@ def _of_one_cause(several: Sequence[Finding]) -> Finding:
     """One finding for a name that is wrong in one controller, wherever it stands there, and for the joints of one list
     that no robot has."""
     name = several[0].group[-1]
-    first = with_places([told for told in several if told.group[-1] == name], "the same name is wrong here, too")
+    first = with_other_places([told for told in several if told.group[-1] == name], "the same name is wrong here, too")
     others = list({told.group[-1]: told for told in reversed(several) if told.group[-1] != name}.values())
     in_order = sorted(others, key=lambda told: told.place)
     words = ("another name of the list is", "more names of the list are", "unknown, too")

@@ -18,6 +18,7 @@ _NAME = re.compile(r"(?<![\w:.-])name\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _HOLE = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
 _MOST_PARTS = 5
 _COMPONENTS = ("joint", "gpio", "sensor")
+_INTERFACES = ("command_interface", "state_interface")
 _SYSTEM = "ros2_control"
 
 
@@ -44,7 +45,8 @@ class Named:
 
 @dataclass(frozen=True)
 class Component:
-    """A joint, gpio or sensor below ``<ros2_control>``, with the names of its interfaces."""
+    """A joint, gpio or sensor below ``<ros2_control>``, or in a macro for what is there (it has interfaces), with the
+    names of these."""
 
     name: Named
     commands: list[Named] = field(default_factory=list)
@@ -72,14 +74,16 @@ def read_description(text: str) -> RobotDescription:
             within.clear()
         elif tag in _COMPONENTS and name is not None:
             names[name] = Named(name)
+            component = Component(Named(name))
             if in_system:
-                component = Component(Named(name))
                 components.append(component)
-                within[:] = [] if is_empty else [component]
-        elif within and name is not None and not closing:
+            within[:] = [] if is_empty else [component]
+        elif within and name is not None and not closing and tag in _INTERFACES:
+            if not any(within[0] is component for component in components[-1:]):
+                components.append(within[0])  # in a macro that <ros2_control> calls
             if tag == "command_interface":
                 within[0].commands.append(Named(name))
-            elif tag == "state_interface":
+            else:
                 within[0].states.append(Named(name))
     return RobotDescription(tuple(names.values()), tuple(components))
 
