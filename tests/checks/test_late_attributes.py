@@ -475,3 +475,10 @@ def test_what_the_program_gives_the_node(judge: Judge):
         "    rclpy.spin(Pilot())", "    node = Pilot()\n    node.odom = Odometry()\n    rclpy.spin(node)"
     )
     judge("API002", source)
+
+
+def test_a_method_called_before_that_waits_for_it(judge: Judge):
+    waits = "def wait(self):\n        while self.odom is None:\n            pass\n\n    def is_ready(self):"
+    judge("API002", _empty("self.wait()\nprint(self.odom.pose)").replace("def is_ready(self):", waits))
+    asks = "def wait(self):\n        pass\n\n    def is_ready(self):"
+    judge("API002", _empty("self.wait()\nprint(self.odom.pose)  # here").replace("def is_ready(self):", asks))

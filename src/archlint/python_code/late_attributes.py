@@ -282,7 +282,8 @@ def _row(
 ) -> _Row | None:
     """What is said of a read in a callback; None where what assigns the attribute may have run by then."""
     own = setters[read.name]
-    if not work.after(read.before).isdisjoint(own):
+    before = work.after(read.before)
+    if not before.isdisjoint(own) or read.name in _tested_in(work, before):
         return None
     leading = work.leading_to(own)
     called = {name: work.called_for(name) for name in leading}
@@ -298,6 +299,14 @@ def _row(
         return None
     setter, assigned = next(iter(own.items()))
     return _Row(read.name, read.span, late, reader, role, setter, assigned, read.is_sure, frozenset(leading))
+
+
+def _tested_in(work: MethodsAtWork, methods: Collection[str]) -> set[str]:
+    """The attributes of ``self`` for which a condition of some methods asks: one may wait, or raise, where there is no
+    value yet."""
+    parts = (part for name in methods for part in everything_in(work.methods[name].body, facts.Statement))
+    tests = [part.test for part in parts if isinstance(part, facts.If | facts.While | facts.Assert)]
+    return {name for test in tests for part in everything_in([test]) if (name := of_self(part)) is not None}
 
 
 def _attributes_in(work: MethodsAtWork, methods: Collection[str]) -> set[str]:
