@@ -478,7 +478,7 @@ def test_what_the_program_gives_the_node(judge: Judge):
 
 
 def test_a_method_called_before_that_waits_for_it(judge: Judge):
-    waits = "def wait(self):\n        while self.odom is None:\n            pass\n\n    def is_ready(self):"
-    judge("API002", _empty("self.wait()\nprint(self.odom.pose)").replace("def is_ready(self):", waits))
-    asks = "def wait(self):\n        pass\n\n    def is_ready(self):"
-    judge("API002", _empty("self.wait()\nprint(self.odom.pose)  # here").replace("def is_ready(self):", asks))
+    waits = "def look(self):\n        while self.odom is None:\n            pass\n\n    def is_ready(self):"
+    judge("API002", _empty("self.look()\nprint(self.odom.pose)").replace("def is_ready(self):", waits))
+    asks = "def look(self):\n        self.get_logger().info(str(self.ready))\n\n    def is_ready(self):"
+    judge("API002", _empty("self.look()\nprint(self.odom.pose)  # here").replace("def is_ready(self):", asks))
