@@ -197,6 +197,51 @@ Stopper()
         assert finding.message == "super.__init__() fails: super lacks its parentheses"
 
 
+WITHOUT_SELF = """
+import rclpy
+from rclpy.node import Node
+from tf2_ros import Buffer, TransformListener
+
+
+class Talker(Node):
+    def __init__(self, name, **options):
+        super().__init__(name, **options)
+        self.listener = TransformListener(Buffer(), self)
+
+
+class Robot(Talker):
+    def __init__(self, name, other=None, *more):
+        {line}
+        self.rate = self.has_parameter('rate')
+
+
+rclpy.init()
+Robot('robot')
+"""
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "Talker.__init__(name)  # here",
+        "Talker.__init__('talker', use_global_arguments=False)  # here",
+        "if more:\n            Talker.__init__(name)  # here",
+        "Talker.__init__(self, name)",
+        "super().__init__(name)",
+        "super(Robot, self).__init__(name)",
+        "Talker.__init__(*(self, name))",
+        "Talker.__init__(name=name, self=self)",
+        "me = self\n        Talker.__init__(me, name)",
+        "try:\n            Talker.__init__(name)\n        except TypeError:\n            super().__init__(name)",
+    ],
+)
+def test_a_constructor_of_a_base_without_self(judge: Judge, line: str) -> None:
+    code = WITHOUT_SELF.replace("{line}", line)
+    for finding in judge("API001", code):
+        assert finding.message == "Talker.__init__() fails: 'self' is missing"
+        assert finding.help == "pass the object first: Talker.__init__(self, …)"
+
+
 CONSTRUCTING = """
 import rclpy
 from rclpy.node import Node

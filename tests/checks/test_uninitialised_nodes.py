@@ -60,12 +60,13 @@ def test_a_node_that_is_used_before_it_is_initialised(judge: Judge, source: str)
         robot("prepare(self)", "self.set_up()", bases="prepare.Base"),
         robot("rclpy.init()"),
         robot("super.__init__('robot')", "self.set_up()"),  # a TypeError right there: API001
+        robot("Node.__init__('robot')", "self.set_up()"),  # a TypeError: API001
         robot("super().__init('robot')", "self.set_up()"),  # an AttributeError right there: API002
         robot("super().init('robot')", "self.set_up()"),
     ],
     ids=[
         *("first", "by its class", "attributes before", "a mixin behind", "undecided", "foreign base", "no use"),
-        *("super without parentheses", "a private name", "no underscores"),
+        *("super without parentheses", "without self", "a private name", "no underscores"),
     ],
 )
 def test_a_node_that_is_initialised_first(judge: Judge, source: str):

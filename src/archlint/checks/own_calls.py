@@ -11,7 +11,7 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.model import Misuse
-from archlint.python_code.bare_supers import calls_of_bare_super
+from archlint.python_code.bare_supers import calls_of_bare_super, constructors_without_self
 from archlint.python_code.compared_methods import ComparedMethod, compared_methods
 from archlint.python_code.dropped_coroutines import DroppedCoroutine, dropped_coroutines
 from archlint.python_code.object_calls import refused_object_calls
@@ -47,6 +47,8 @@ def own_call_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _dropped(dropped))
         for place in calls_of_bare_super(system.workspace):
             yield from unless_uncalled(system, _of_bare_super(place))
+        for name, place in constructors_without_self(system.workspace):
+            yield from unless_uncalled(system, _without_self(name, place))
 
 
 def _finding(call: RefusedOwnCall) -> Finding:
@@ -193,6 +195,18 @@ def _of_bare_super(place: Place) -> Finding:
         help="write super().__init__(…)",
         identity=("super.__init__",),
         group=(place.file, "super.__init__"),
+        fails=True,
+    )
+
+
+def _without_self(name: str, place: Place) -> Finding:
+    return finding(
+        "API001",
+        place,
+        f"{name}() fails: 'self' is missing",
+        help=f"pass the object first: {name}(self, …)",
+        identity=(name, "self"),
+        group=(place.file, name, "self"),
         fails=True,
     )
 

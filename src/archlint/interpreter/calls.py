@@ -24,7 +24,9 @@ from archlint.interpreter.values import (
     External,
     ForeignValue,
     FunctionValue,
+    Holed,
     Instance,
+    Known,
     OneOf,
     Partial,
     PythonValue,
@@ -128,6 +130,8 @@ def call_function(machine: Machine, function: FunctionValue, site: CallSite, sel
     """Run a function of the workspace and return what it may return."""
     function = overloads.meant(machine.index.overloads, function, site)
     ir = function.ir
+    if self_value is None and _lacks_self(function, site):
+        return Unknown(f"'{function.qualified}' is called without its object")
     if _is_too_deep(machine, ir):
         return Unknown(f"'{function.qualified}' calls itself")
     if len(machine.activations) >= DEPTH:
@@ -142,6 +146,15 @@ def call_function(machine: Machine, function: FunctionValue, site: CallSite, sel
         return repeats.follow(machine, function, key, enter)
 
     return references.with_arguments_written(machine, ir, site, follow)
+
+
+def _lacks_self(function: FunctionValue, site: CallSite) -> bool:
+    """Whether a method is called by way of its class with a text or a number in place of the object:
+    ``Base.__init__('name')``."""
+    params = function.ir.params
+    if function.owner is None or not site.args or not params or params[0].name != "self":
+        return False
+    return isinstance(site.args[0], (Known, Holed)) and function.scope.module.file.kind != "cpp"
 
 
 def _is_too_deep(machine: Machine, ir: facts.Function | facts.Lambda) -> bool:

@@ -16,7 +16,7 @@ from archlint.libraries.rclpy import names, node_classes, refusals
 from archlint.libraries.thread_arguments import number_given
 from archlint.libraries.values import EntityValue
 from archlint.syntax import facts
-from archlint.syntax.bare_super import bare_super_calls
+from archlint.syntax.bare_super import bare_super_calls, calls_without_self
 from archlint.syntax.misspelt_constructor import CONSTRUCTOR, has_misspelt_call, meant_as_constructor
 from archlint.syntax.parts import everything_in
 
@@ -95,7 +95,8 @@ def _early(run: Run, api: Api, receiver: Value | None, place: Place) -> model.Re
     if not node_classes.is_node(cls):
         return None  # it may be mixed into a node, whose constructor has run by then
     node = run.nodes.by_object.get(receiver.key)
-    if any(bare_super_calls(base.ir) or has_misspelt_call(base.ir) for base in cls.classes):
+    codes = [base.ir for base in cls.classes]
+    if any(bare_super_calls(ir) or calls_without_self(ir) or has_misspelt_call(ir) for ir in codes):
         return None  # Python does not get further than that call
     making = [activation for activation in run.activations if activation.self_value is receiver]
     if (node is not None and node.constructed) or not any(a.qualified.endswith(".__init__") for a in making):
