@@ -112,6 +112,16 @@ def test_its_arguments_decide(arm, name: str, arguments: dict[str, str], started
     assert started in executables(launched(arm, name, **arguments))
 
 
+def test_a_demo_needs_no_launch_file_of_a_database(launches):
+    launches.package("arm_moveit_config")
+    for name, text in FILES.items():
+        launches.file(f"arm_moveit_config/{name}", text)
+    launches.file("arm_moveit_config/launch/demo.launch.py", FILE.format("demo"))
+    missing = {reference.written for reference in launched(launches, "demo").references if reference.source is None}
+    assert not any("warehouse_db" in written for written in missing)
+    assert any("move_group.launch.py" in written for written in missing)
+
+
 def test_the_controllers_are_named_in_a_file(arm):
     words = [started.arguments for started in launched(arm, "spawn_controllers").started]
     assert words == [["arm_controller"], ["hand_controller"], ["joint_state_broadcaster"]]
