@@ -458,6 +458,7 @@ def test_a_file_whose_words_stand_in_another_order(findings, there: str, hint: b
     assert (f"did you mean '{there}'?" in found.message) is hint
 
 
+IN_SHARE = "folder = get_package_share_directory('robot')\n"
 WRITES = "with open(os.path.join(folder, 'made.yaml'), 'w') as file:\n    file.write(text)\n"
 
 
@@ -477,6 +478,10 @@ WRITES = "with open(os.path.join(folder, 'made.yaml'), 'w') as file:\n    file.w
         ({"robot/make.py": WRITES.replace("'w'", "'r'")}, 1),  # who reads it does not make it
         ({"robot/make.py": WRITES.replace("made.yaml", "premade.yaml")}, 1),
         ({"robot/make.py": WRITES, "config/temp/other.yaml": ""}, 1),  # the folder is there: what is kept there is, too
+        (
+            {"robot/make.py": f"folder = get_package_share_directory('robot')\n{WRITES}", "config/temp/other.yaml": ""},
+            0,
+        ),
         ({}, 1),
     ],
 )
@@ -1100,6 +1105,21 @@ def test_a_parameter_file_that_gitignore_names_is_of_each_machine(findings, line
     assert len(found) == told
     if lines in ("*.yaml\n", "config/\n"):
         assert found[0].help.startswith("a .gitignore keeps it out of the repository: commit it with git add -f")
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"config/.gitignore": "*.yaml\n"}, 0),
+        ({"config/.gitignore": "*\n!.gitignore\n"}, 0),
+        ({"config/.gitignore": "*.txt\n"}, 1),
+        ({"config/.gitignore": "*.yaml\n", "config/view.rviz": ""}, 1),
+        ({".gitignore": "*.yaml\n"}, 1),
+    ],
+)
+def test_a_folder_that_is_kept_for_what_git_ignores(findings, files: dict[str, str], told: int):
+    launch = node('<param from="$(find-pkg-share robot)/config/local.yaml"/>')
+    assert len(findings("LCH004", launch, **files)) == told
 
 
 def test_the_files_of_a_folder_that_gitignore_leaves_out(findings):

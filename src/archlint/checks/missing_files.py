@@ -33,7 +33,13 @@ from archlint.packaging.absent_packages import (
     package_meant,
     package_with,
 )
-from archlint.packaging.generated_files import has_template, is_generated, is_ignored, is_ignored_by_name
+from archlint.packaging.generated_files import (
+    has_template,
+    is_generated,
+    is_ignored,
+    is_ignored_by_name,
+    is_kept_for_ignored,
+)
 from archlint.packaging.misplaced_folders import is_told_with_its_folder
 from archlint.suggestions import common_words, distance, have_same_words, listed, meant, nearest
 
@@ -169,14 +175,14 @@ def _need_not_be_here(system: System, reference: FileReference, shown: str) -> b
 
 
 def _is_kept_out(system: System, reference: FileReference, shown: str) -> bool:
-    """Whether git ignores a file that the launch file reads, or one of any kind by its name: everyone who launches has
-    one of his own."""
+    """Whether git ignores a file that the launch file reads, or one of any kind by its name or in a folder that is
+    there for such files: everyone who launches has one of his own."""
     installs = None if system.workspace is None else system.workspace.installs.get(reference.package or "")
     if system.workspace is None or installs is None:
         return False
     path = _in_workspace(system.workspace, installs.package, _in_package(system, reference, shown))
     ignores = is_ignored if reference.kind == FileKind.READ else is_ignored_by_name
-    return ignores(system.workspace, path)
+    return ignores(system.workspace, path) or is_kept_for_ignored(system.workspace, path)
 
 
 def _mixtures(references: Sequence[FileReference]) -> set[FileReference]:

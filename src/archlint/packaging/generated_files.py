@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.cpp_nodes import CPP_SOURCES
@@ -21,14 +22,15 @@ _TEMPLATES = (".in", ".j2", ".jinja", ".jinja2", ".em", ".erb", ".mako", ".templ
 _OPENED = r"""\bopen\([^#]{{0,200}}?(?<![\w.-]){name}["'][\s)]*,\s*(?:mode\s*=\s*)?["'][wax]"""
 _WRITTEN = r"""(?<![\w.-]){name}["'][\s)]*\)\.write_(?:text|bytes)\("""
 _STREAMED = r"""\bofstream\b[^;]{{0,200}}?(?<![\w.-]){name}\""""
+_SHARE = re.compile(r"\bget_package_share_(?:directory|path)\b")
 _SAVES = re.compile(r"\bmap_saver|\bsave_?map|\bserialize_?map", re.IGNORECASE)
 """What a source names that has a map saved: Nav2's or slam_toolbox's program or service."""
 
 
 def is_generated(workspace: WorkspaceIndex | None, package: str, path: str) -> bool:
-    """Whether a missing file of a package is evidently made later: its folder is not in the source either, and a
-    source of the workspace opens a file of its name to write or has a map saved under it, or a template of that name
-    lies in the package.
+    """Whether a missing file of a package is evidently made later: a source of the package opens a file of its name in
+    a share folder to write, or its folder is not in the source either, and any source of the workspace does so or has a
+    map saved under it, or a template of that name lies in the package.
 
     ``path`` starts at the package's share folder.
     """
@@ -36,9 +38,11 @@ def is_generated(workspace: WorkspaceIndex | None, package: str, path: str) -> b
     if workspace is None or installs is None:
         return False
     folder, name = posixpath.split(posixpath.normpath(posixpath.join(installs.folder, path)))
-    if not name or workspace.tree.is_folder(folder):
+    if not name:
         return False
-    return has_template(workspace, package, path) or _is_written(workspace, name)
+    if workspace.tree.is_folder(folder):
+        return _is_written(workspace, name, [installs.folder], into_share=True)
+    return has_template(workspace, package, path) or _is_written(workspace, name, [*workspace.manifests])
 
 
 def has_template(workspace: WorkspaceIndex, package: str, path: str) -> bool:
@@ -63,6 +67,15 @@ def is_ignored(workspace: WorkspaceIndex, path: str, *, by_name: bool = False) -
     if posixpath.basename(path) in _HOLD_BINARIES and not by_name:
         inside += [f"{path}/file.{ending}" for ending in _BINARIES]
     return any(_ignores(workspace, file) for file in (path, *inside))
+
+
+def is_kept_for_ignored(workspace: WorkspaceIndex, path: str) -> bool:
+    """Whether git ignores a missing file, whose folder is in the repository for such files alone: it has nothing but
+    the ``.gitignore`` that says so."""
+    folder = posixpath.dirname(path)
+    own = posixpath.join(folder, GITIGNORE)
+    is_empty = all(file == own for file in workspace.tree.files_below(folder))
+    return is_empty and workspace.tree.text(own) is not None and is_ignored(workspace, path)
 
 
 def is_ignored_by_name(workspace: WorkspaceIndex, path: str) -> bool:
@@ -104,16 +117,21 @@ def submodule_around(workspace: WorkspaceIndex, path: str) -> str | None:
     return None
 
 
-def _is_written(workspace: WorkspaceIndex, name: str) -> bool:
+def _is_written(workspace: WorkspaceIndex, name: str, folders: Sequence[str], *, into_share: bool = False) -> bool:
+    """Whether a source in some folders opens a file of a name to write or has a map saved under it; ``into_share``
+    asks of those alone that look for a share folder, and open it."""
     quoted = re.escape(name)
     writes = re.compile("|".join(form.format(name=quoted) for form in (_OPENED, _WRITTEN, _STREAMED)))
     saved = re.compile(rf"""[/"']{re.escape(posixpath.splitext(name)[0])}(?:\.yaml)?["']""")
-    sources = {path for folder in workspace.manifests for path in workspace.tree.files_below(folder)}
+    sources = {path for folder in folders for path in workspace.tree.files_below(folder)}
     sources = {path for path in sources if path.endswith((".py", *CPP_SOURCES))}
     words = WORD.findall(posixpath.splitext(name)[0])
     mentioning = (path for path in sorted(sources) if all(workspace.code.mentions(path, word) for word in words))
     for path in mentioning:
         text, launches = workspace.tree.text(path) or "", workspace.launch_files.can_be_launched(path)
-        if writes.search(text) or (not launches and _SAVES.search(text) and saved.search(text)):
+        if into_share:
+            if _SHARE.search(text) and writes.search(text):
+                return True
+        elif writes.search(text) or (not launches and _SAVES.search(text) and saved.search(text)):
             return True
     return False
