@@ -74,6 +74,9 @@ def test_what_is_known_or_may_be(judge: Judge, tag: str):
     ("tag", "help"),
     [
         ("<depend>roscpp</depend>", "write 'rclcpp' instead"),
+        ("<depend>ros_control</depend>", "write 'ros2_control' instead"),
+        ("<depend>gazebo_ros_control</depend>", "write 'gazebo_ros2_control' instead"),
+        ("<exec_depend>dwa_local_planner</exec_depend>", "remove the line"),
         ("<build_depend>message_generation</build_depend>", "write 'rosidl_default_generators' instead"),
         ("<depend>dynamic_reconfigure</depend>", "remove the line"),
         ("<exec_depend>python-numpy</exec_depend>", "write 'python3-numpy' instead"),
