@@ -803,6 +803,23 @@ def test_a_repository_may_bring_a_package_of_a_longer_name(lint: Lint, name: str
     assert ("nor in rosdistro" not in told.message) is is_known
 
 
+@pytest.mark.parametrize(
+    ("files", "help"),
+    [
+        ({}, "declare it in package.xml if a repository of all.repos has it, else correct the name"),
+        (
+            {"drivers/package.xml": manifest("sonar")},
+            "correct the name, or declare it in package.xml and say where it comes from",
+        ),
+    ],
+    ids=["not here", "here"],
+)
+def test_a_repository_of_another_name_may_bring_any_package(lint: Lint, files: dict[str, str], help: str):
+    listed = {"all.repos": "repositories:\n  drivers:\n    type: git\n    url: https://example.org/it.git\n"}
+    (told,) = lint(launching(started("secret_board")) | listed | files)
+    assert told.help == help
+
+
 def test_a_repository_that_is_here_brings_no_other_package(lint: Lint):
     listed = {"all.repos": "repositories:\n  secret_driver:\n    type: git\n    url: https://example.org/it.git\n"}
     here = {"others/secret_driver/package.xml": manifest("secret4_driver")}

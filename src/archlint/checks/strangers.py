@@ -8,7 +8,12 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_disused, is_not_installed
 from archlint.checks.dependency_uses import How, Use
 from archlint.checks.registry import finding
-from archlint.connections.parts_elsewhere import is_fetched, may_be_in_a_submodule, may_come_with_another
+from archlint.connections.parts_elsewhere import (
+    is_fetched,
+    list_of_repositories,
+    may_be_in_a_submodule,
+    may_come_with_another,
+)
 from archlint.finding import Finding, Related
 from archlint.packaging.absent_packages import is_from_nowhere, is_told_as_another, is_untouched_template
 from archlint.packaging.missing_imports import missing_imports
@@ -44,7 +49,7 @@ def strangers(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]) 
     rows = {name: [use for use in by_name[name] if (use.place.file, use.place.line) not in told] for name in names}
     named = {name: left for name, left in rows.items() if left}
     if named:
-        yield _finding(package, named)
+        yield _finding(package, named, list_of_repositories(workspace))
 
 
 def _is_left(workspace: WorkspaceIndex, file: str) -> bool:
@@ -63,7 +68,7 @@ def _told_lines(workspace: WorkspaceIndex) -> set[tuple[str, int]]:
     return {(row.place.file, row.place.line) for row in rows}
 
 
-def _finding(package: Package, by_name: dict[str, list[Use]]) -> Finding:
+def _finding(package: Package, by_name: dict[str, list[Use]], repositories: str) -> Finding:
     names = list(by_name)
     first = min((uses[0] for uses in by_name.values()), key=lambda use: use.place)
     of_ros_1 = mistaken(names[0], (), is_python=False) if len(names) == 1 else None
@@ -77,11 +82,14 @@ def _finding(package: Package, by_name: dict[str, list[Use]]) -> Finding:
         )
         what += f", and that its package.xml does not declare: {listed(names)}"
     name = "the name" if len(names) == 1 else "each name"
+    help = f"correct {name}, or declare it in package.xml and say where it comes from"
+    if repositories:
+        help = f"declare it in package.xml if a repository of {repositories} has it, else correct {name}"
     return finding(
         "PKG001",
         first.place,
         what + (f"; did you mean '{instead}'?" if instead else ""),
-        help=f"correct {name}, or declare it in package.xml and say where it comes from",
+        help=help,
         related=[
             Related(uses[0].place, f"'{name}' is named here")
             for name, uses in by_name.items()

@@ -77,6 +77,17 @@ def _repositories(workspace: WorkspaceIndex) -> frozenset[str]:
     return listed - _folders_with_packages(workspace)
 
 
+def list_of_repositories(workspace: WorkspaceIndex) -> str:
+    """The first ``.repos`` file with a repository that is not here, which may bring any package; empty where there is
+    none."""
+    here = _folders_with_packages(workspace)
+    for path in workspace.tree.files_below(workspace.tree.top):
+        names = _REPOSITORY.findall(workspace.tree.text(path) or "") if path.endswith(_LISTS) else []
+        if any(_plain(_name(repository)) not in here for repository in names):
+            return path
+    return ""
+
+
 def _folders_with_packages(workspace: WorkspaceIndex) -> frozenset[str]:
     """The names of the folders in which packages are: a repository that is here brings no other."""
     return frozenset(_plain(part) for folder in workspace.manifests for part in folder.split("/"))
@@ -203,4 +214,10 @@ def _name(path: str) -> str:
     return posixpath.basename(path.rstrip("/"))
 
 
-__all__ = ["has_parts_elsewhere", "is_fetched", "may_be_in_a_submodule", "may_come_with_another"]
+__all__ = [
+    "has_parts_elsewhere",
+    "is_fetched",
+    "list_of_repositories",
+    "may_be_in_a_submodule",
+    "may_come_with_another",
+]
