@@ -285,6 +285,13 @@ def test_an_entry_of_a_setup_py_that_cmake_does_not_read(findings, cmake, found)
     ]
 
 
+def test_an_entry_of_a_setup_py_beside_no_cmake_file_waits_for_the_build_type(findings):
+    (told,) = findings("PKG011", node(), **{"package.xml": CMAKE})
+    assert told.help == "write <build_type>ament_python</build_type>"
+    assert findings("LCH001", node(), **{"package.xml": CMAKE}) == []
+    assert len(findings("LCH001", node(), **{"package.xml": CMAKE, "CMakeLists.txt": "project(robot)\n"})) == 1
+
+
 ENTRIES = SETUP.replace("'talker =", "'arm_node = robot.arm_node:main', 'talker =")
 BUILT_WITH_CMAKE = {
     "CMakeLists.txt": "project(robot)\n" + SCRIPTS,

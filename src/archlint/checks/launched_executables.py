@@ -20,6 +20,7 @@ from archlint.launch_files.shown_files import is_shown_only
 from archlint.launch_files.unadded_programs import unadded_programs
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
 from archlint.packaging.entry_points import only_defines_node
+from archlint.packaging.refused_manifests import mistyped_packages
 from archlint.ros.released_programs import launch_file_instead, programs_instead
 from archlint.suggestions import did_you_mean, listed, nearest
 
@@ -69,6 +70,8 @@ def _of_program(system: System, workspace: WorkspaceIndex, options: Options, sta
     unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
     if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:
         return
+    if entry is not None and installs.package in mistyped_packages(workspace):
+        return  # PKG011: with the right type, setup.py is read
     if entry is not None:
         yield _unread_entry(started, name, entry, installed_by(workspace, installs))
         return

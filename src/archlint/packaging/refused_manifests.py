@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.analysis.kept import once
 from archlint.packaging.generated_files import is_ignored
 from archlint.place import Place
 from archlint.records import dataclass
@@ -110,6 +111,12 @@ def mistyped_manifests(workspace: WorkspaceIndex) -> Iterator[Mistyped]:
             yield Mistyped(package, written, right, _TYPES.get(written, ""), place)
 
 
+@once
+def mistyped_packages(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The names of those packages: of what they install there is nothing before their manifest is mended."""
+    return frozenset(row.package.name for row in mistyped_manifests(workspace))
+
+
 def _asks_for_python(package: Package) -> bool:
     """Whether a package is to be built with ament_python, as its dependencies say, and not with CMake."""
     tools = {dependency.name for dependency in package.dependencies if dependency.kind == "buildtool"}
@@ -151,6 +158,7 @@ __all__ = [
     "Untyped",
     "is_passed_over",
     "mistyped_manifests",
+    "mistyped_packages",
     "refused_manifests",
     "untyped_manifests",
 ]
