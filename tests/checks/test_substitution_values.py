@@ -212,6 +212,9 @@ ACTION = "Node(package='robot', executable='talker', {})"
         ("parameters=[{'once': lc == 'false'}]", "use EqualsSubstitution(…, …)"),
         ("parameters=[{'once': 'false' != lc}]", "use NotEqualsSubstitution(…, …)"),
         ("arguments=['--once', lc == 'false']", "use EqualsSubstitution(…, …)"),
+        ("parameters=[{'once': lc == 'no' or lc == 'never'}]", "use OrSubstitution(EqualsSubstitution(…, …), …)"),
+        ("arguments=[lc != 'a' and lc != 'b']", "use AndSubstitution(NotEqualsSubstitution(…, …), …)"),
+        ("condition=lc == 'a' or lc == 'b'", "use IfCondition(EqualsSubstitution(…, …))"),
         (
             "arguments=['--once' if lc == 'true' else '']",
             """use PythonExpression(["'…' if '", …, "' == '…' else '…'"])""",

@@ -58,6 +58,8 @@ def _said(misused: Misused) -> tuple[str, str]:
             result = "false" if misused.operator in ("==", "in") else "true"
             instead = "EqualsSubstitution" if misused.operator in ("==", "in") else "NotEqualsSubstitution"
             use = f"{instead}(…, …)" if misused.is_given else f"IfCondition({instead}(…, …))"
+            if misused.combined:
+                use = f"{misused.combined.capitalize()}Substitution({instead}(…, …), …)"
             if misused.chooses:
                 use = f"""PythonExpression(["'…' if '", …, "' {misused.operator} '…' else '…'"])"""
             return f"a {what} has no value yet, so that this is always {result}", f"use {use}"

@@ -58,6 +58,8 @@ class Misused:
     """Whether the result is an argument, or an item of what is one: a parameter's value, say."""
     chooses: bool = False
     """Whether it decides between two texts, as in ``'a' if … else 'b'``, or a test between two constants."""
+    combined: str = ""
+    """The word, ``and`` or ``or``, that makes the result that is given of this one and others."""
 
 
 def misused_substitutions(system: System) -> Iterator[tuple[str, Misused]]:
@@ -176,7 +178,8 @@ def _argument(call: facts.Call, position: int, keyword: str) -> str:
 
 def _misused(code: _Code) -> Iterator[Misused]:
     printed = {id(argument.value) for argument in _printed(code.body)}
-    given = {id(value) for value in _given(code.body)}
+    combined = {id(operand): op for value in _given(code.body) for operand, op in _operands(value)}
+    given = {id(value) for value in _given(code.body)} | combined.keys()
     choosing = {
         id(choice.test)
         for choice in everything_in(code.body, facts.Conditional)
@@ -206,7 +209,8 @@ def _misused(code: _Code) -> Iterator[Misused]:
             case facts.Compare(ops=[op], comparators=[right]) if op in ("==", "!=", "in", "not in"):
                 sides = [part.left] if "in" in op else [part.left, right]
                 for misused in _each(code, Misuse.COMPARED, sides, part.span, op):
-                    yield replace(misused, is_given=id(part) in given, chooses=id(part) in choosing)
+                    row = replace(misused, is_given=id(part) in given, chooses=id(part) in choosing)
+                    yield replace(row, combined=combined.get(id(part), ""))
             case facts.Boolean(values=values, op=op):
                 yield from (m for v in values[:-1] for m in _each(code, Misuse.COMBINED, [v], part.span, op))
             case facts.Unary(op="not", operand=operand):
@@ -258,6 +262,14 @@ def _given(body: list[facts.Stmt]) -> Iterator[facts.Expr]:
     for value in _handed_on(body):
         if id(value) not in asked:
             yield value
+
+
+def _operands(e: facts.Expr) -> Iterator[tuple[facts.Expr, str]]:
+    """What ``and`` or ``or`` makes a value of, with that word."""
+    if isinstance(e, facts.Boolean):
+        for operand in e.values:
+            yield operand, e.op
+            yield from _operands(operand)
 
 
 def _handed_on(body: list[facts.Stmt]) -> Iterator[facts.Expr]:
