@@ -35,6 +35,7 @@ from archlint.packaging.absent_packages import (
 )
 from archlint.packaging.generated_files import (
     has_template,
+    is_called_generated,
     is_generated,
     is_ignored,
     is_ignored_by_name,
@@ -171,7 +172,10 @@ def _need_not_be_here(system: System, reference: FileReference, shown: str) -> b
     """Whether a file that is not there is made by the build, or may be where the project is used."""
     package = reference.package or ""
     trained = shown.endswith(_TRAINED) and not _file_meant(system.workspace, package, shown)
-    return trained or _is_kept_out(system, reference, shown) or is_generated(system.workspace, package, shown)
+    if trained or _is_kept_out(system, reference, shown) or is_generated(system.workspace, package, shown):
+        return True
+    files = {reference.place.file, decided_at(reference).file}
+    return system.workspace is not None and any(is_called_generated(system.workspace, file, shown) for file in files)
 
 
 def _is_kept_out(system: System, reference: FileReference, shown: str) -> bool:

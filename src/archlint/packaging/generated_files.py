@@ -45,6 +45,14 @@ def is_generated(workspace: WorkspaceIndex | None, package: str, path: str) -> b
     return has_template(workspace, package, path) or _is_written(workspace, name, [*workspace.manifests])
 
 
+def is_called_generated(workspace: WorkspaceIndex, launch_file: str, path: str) -> bool:
+    """Whether a line of a launch file, such as the description of an argument, says of a missing file that something
+    generates it."""
+    name = re.escape(posixpath.basename(path))
+    spoken = rf"(?<![\w.-]){name}\b.*\bgenerated\b|\bgenerated\b.*(?<![\w.-]){name}\b"
+    return bool(name) and bool(workspace.tree.lines_with(launch_file, spoken))
+
+
 def has_template(workspace: WorkspaceIndex, package: str, path: str) -> bool:
     """Whether a template of a missing file lies in its package: the build may make the file of it."""
     name, installs = posixpath.basename(path), workspace.installs.get(package)
