@@ -133,6 +133,22 @@ def test_a_folder_of_modules_that_is_there_or_may_be(
     assert said(line, **files) == []
 
 
+@pytest.mark.parametrize(
+    ("own", "told"),
+    [
+        ("from lens import Lens\n", False),
+        ("import lens.parts\n", False),
+        ("from robot.lens import focus\n", True),
+        ("from .lens import focus\n", True),
+        ("import lenses\n", True),
+    ],
+)
+def test_a_file_that_is_called_like_the_library_it_imports(
+    said: Callable[..., list[Finding]], own: str, told: bool
+) -> None:
+    assert bool(said("from lens import Lens", **{"robot/lens.py": own + "def focus():\n    pass\n"})) is told
+
+
 def test_a_folder_of_modules_beside_the_python_package(findings: Callable[..., list[Finding]]) -> None:
     launch = "from robot.scripts.ports import PORT\n\n\ndef generate_launch_description():\n    print(PORT)\n"
     files = {

@@ -265,6 +265,8 @@ def _beside(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Pla
     path = workspace.code.path_of_import(file.relative, module)
     if path is None or top in workspace.code.modules or file.relative not in _by_console_scripts(workspace):
         return None
+    if any(asked.partition(".")[0] == top and not level for asked, level, *_ in _imports(workspace, path) or ()):
+        return None  # the file imports a module of its own name, which is somebody else's
     there = posixpath.join(posixpath.dirname(file.relative), module.replace(".", "/"))
     if top in sys.stdlib_module_names or key_of(top) is not None or path not in (f"{there}.py", f"{there}/__init__.py"):
         return None
