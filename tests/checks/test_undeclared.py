@@ -516,6 +516,49 @@ def test_a_launch_file_in_a_circle_is_not_moved_where_others_include_it(lint: Li
     assert (found.place.file, found.help) == ("talk/launch/drive.launch.xml", help)
 
 
+MOVED = "move the launch files that use it into a package of their own, such as talk_bringup"
+MOVE = """
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    other = 'all'
+    ranges = 'ranges.yaml'
+    file = os.path.join(get_package_share_directory(other), 'config', ranges)
+    return LaunchDescription([Node(package='talk', executable='speak', parameters=[file])])
+"""
+
+
+@pytest.mark.parametrize(
+    ("robot", "help"),
+    [
+        (
+            "<robot><include file='$(find all)/config/x'/></robot>",
+            f"{MOVED}, and with them talk/urdf/it.xacro, which needs it, too",
+        ),
+        (
+            "<robot><include file='package://all/x'/></robot>",
+            f"{MOVED}, and with them talk/urdf/it.xacro, which needs it, too",
+        ),
+        ("<robot><include file='$(find allies)/x'/></robot>", MOVED),
+    ],
+)
+def test_a_description_in_a_circle_goes_with_the_launch_file(lint: Lint, robot: str, help: str):
+    files = {
+        "talk/package.xml": manifest("talk", *depends("rclpy", "launch", "launch_ros")),
+        "talk/launch/drive.launch.py": MOVE,
+        "talk/urdf/it.xacro": robot,
+        "all/package.xml": manifest("all", *depends("talk")),
+        "all/config/ranges.yaml": "",
+        "all/launch/all.launch.xml": '<launch><node pkg="talk" exec="speak"/></launch>',
+    }
+    (found,) = lint(files, code="PKG003")
+    assert (found.place.file, found.place.line, found.help) == ("talk/launch/drive.launch.py", 9, help)
+
+
 def including(*packages: str) -> str:
     paths = [f"$(find-pkg-share {package})/launch/it.launch.xml" for package in packages]
     return "".join(["<launch>", *(f'<include file="{path}"/>' for path in paths), "</launch>"])

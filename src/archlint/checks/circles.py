@@ -20,6 +20,7 @@ from archlint.packaging.avoided_circles import is_left_out_for_a_circle
 from archlint.packaging.copies import are_copies
 from archlint.packaging.idle_dependencies import is_named_by_no_file, is_only_asked_for
 from archlint.packaging.missing_imports import missing_imports
+from archlint.packaging.named_packages import descriptions_that_find, named_at
 from archlint.suggestions import listed
 from archlint.workspace.manifest import condition_verdict
 
@@ -195,6 +196,8 @@ def _cure(workspace: WorkspaceIndex, package: str, used: Mapping[str, Place]) ->
         return f"remove find_package() of {listed([other, *more])}: nothing else in '{package}' uses it"
     if _are_of_launch(uses):
         bringup = f"move the launch files that use it into a package of their own, such as {package}_bringup"
+        if also := descriptions_that_find(workspace, package, [other, *more]):
+            return f"{bringup}, and with them {also[0]}, which needs it, too"
         if not _are_included_elsewhere(workspace, package, {use.file for use in uses}):
             return bringup
         if any(include.place in uses for launched in workspace.launched for include in launched.included):
@@ -246,7 +249,11 @@ def _used(workspace: WorkspaceIndex, options: Options) -> dict[str, dict[str, Pl
 
 
 def _first(uses: list[Use], workspace: WorkspaceIndex) -> dict[str, Place]:
-    return {use.needed: use.place for use in reversed(uses) if use.needed in workspace.packages}
+    kept = [use for use in reversed(uses) if use.needed in workspace.packages]
+    return {
+        use.needed: named_at(workspace, use.place, use.needed) if use.how == "takes files of" else use.place
+        for use in kept
+    }
 
 
 def _circles(needs: Needs, reported: set[str]) -> Iterator[list[str]]:
