@@ -160,8 +160,9 @@ def _hint(workspace: WorkspaceIndex, package: Package, use: Use) -> str:
 
 def _misspelt(workspace: WorkspaceIndex, package: Package, needed: str) -> Dependency | None:
     """The dependency that was to be on a package: the name of none, it is a slip or has its words in another order."""
-    there = packages.table().names | workspace.packages.keys() | rosdep.keys()
-    declared = {d.name: d for d in package.dependencies if d.name not in there and d.name != needed}
+    there = (packages.table().names, workspace.packages.keys(), rosdep.keys())
+    unknown = (d for d in package.dependencies if not any(d.name in names for names in there))
+    declared = {d.name: d for d in unknown if d.name != needed}
     near = next((name for name in declared if have_same_words(needed, name)), None) or nearest(needed, declared)
     is_slip = near is not None and (distance(needed, near, 2) <= 2 or have_same_words(needed, near))
     return declared[near] if near is not None and is_slip else None
@@ -271,10 +272,9 @@ def _sites(workspace: WorkspaceIndex, package: Package, by_needed: Mapping[str, 
     """What a fix adds to the manifest: only packages that are known, of this workspace or of rosdistro.  Format 1
     refuses one that is declared for tests, too; and who leaves a package out of a build decides what depends on it."""
     taken = {d.name for d in package.dependencies if package.format == 1}
-    known = workspace.packages.keys() | packages.table().names
-    names = tuple(
-        name for name in sorted(by_needed) if name in known and name not in taken and name not in package.in_export
-    )
+    spared = taken | package.in_export.keys()
+    known = (name for name in sorted(by_needed) if name in workspace.packages or name in packages.table().names)
+    names = tuple(name for name in known if name not in spared)
     names = tuple(name for name in names if _misspelt(workspace, package, name) is None)
     here = any(name in workspace.packages for name in names)
     names = tuple(name for name in names if not here or name not in skipped_packages(workspace))
