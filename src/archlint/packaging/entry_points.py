@@ -10,6 +10,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.aside import ros1_module
+from archlint.analysis.kept import kept
 from archlint.packaging.absent_packages import is_nowhere
 from archlint.packaging.generated_files import submodule_around
 from archlint.place import Place
@@ -256,11 +257,22 @@ def _leaves_loop(statement: facts.Stmt) -> bool:
 def is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:
     """Whether a module is there and not read: a pattern of ``.gitignore`` leaves it out, or it is compiled."""
     installs = workspace.installs.get(package)
+    if installs is None:
+        return False
     path = "/" + module.replace(".", "/")
-    is_it = re.compile(rf"{re.escape(path)}(?:\.py|/__init__\.py|(?:\.[^/.]+)?\.(?:so|pyd))$").search
-    files = [] if installs is None else workspace.tree.files_below(installs.folder)
-    below = "" if installs is None or installs.folder == "." else f"{installs.folder}/"
-    return any(is_it(f"/{file.removeprefix(below)}") for file in files)
+    there = kept(workspace, (is_on_disk, package), lambda: _modules_below(workspace, installs.folder))
+    return any(name.endswith(path) for name in there)
+
+
+def _modules_below(workspace: WorkspaceIndex, folder: str) -> tuple[str, ...]:
+    """The paths below a folder, without endings, of all files and folders that Python imports as a module."""
+    below = "" if folder == "." else f"{folder}/"
+    modules = (_MODULE.fullmatch(f"/{file.removeprefix(below)}") for file in workspace.tree.files_below(folder))
+    return tuple(path for match in modules if match is not None for path in match.groups() if path is not None)
+
+
+_MODULE = re.compile(r"((/.*)/__init__|.*)\.py|((.*)\.[^/.]+|.*)\.(?:so|pyd)", re.DOTALL)
+"""What Python imports as a module, of code or compiled, such as ``driver.cpython-312-x86_64-linux-gnu.so``."""
 
 
 def _is_in_empty_submodule(workspace: WorkspaceIndex, executable: Executable) -> bool:
