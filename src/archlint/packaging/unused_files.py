@@ -18,7 +18,7 @@ from archlint.analysis.aside import (
     is_named_by_launch,
     is_not_installed,
 )
-from archlint.analysis.kept import once
+from archlint.analysis.kept import kept, once
 from archlint.packaging.told_scripts import is_told_to_run
 from archlint.packaging.unbuilt_files import runs_nowhere
 from archlint.packaging.uninstalled_files import is_left_out_launch_file, is_meant_to_start
@@ -36,6 +36,10 @@ if TYPE_CHECKING:
 def nothing_runs(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether nothing of the workspace runs a file of code or a launch file; False for all others, which are judged
     where something in use reads them."""
+    return kept(workspace, (nothing_runs, file), lambda: _nothing_runs(workspace, file))
+
+
+def _nothing_runs(workspace: WorkspaceIndex, file: str) -> bool:
     if _is_launch_file(workspace, file):
         # One that is not installed may be forgotten: PKG004 and whoever starts it by its path ask for it.
         return _is_put_aside(workspace, file) or _is_of_old(workspace, file)
