@@ -53,17 +53,13 @@ class FileRoles:
     def is_trial(self, path: str) -> bool:
         """Whether a file is test code, or replaces something (a mock), or tries it out, by a word in its own name or in
         that of a folder of the workspace: ``mock_robot.py``, ``quick_tests/``, ``test2.py``."""
-        words = (re.split(r"\d*[\W_]+|\d*$", part.lower()) for part in self._parts(path.removesuffix(".py")))
-        return self.is_test(path) or any(not _TRIES_OUT.isdisjoint(each) for each in words)
+        return self.is_test(path) or _tries_out(self._below_workspace(path))
 
     def is_put_aside(self, path: str) -> bool:
         """Whether a file is kept, and no longer worked on: by the name of a folder of the workspace, by a word in
         brackets (``(unused)robot/``), or because it is a copy that nothing can import, such as ``driver (copy).py`` or
         ``driver.sync-conflict-20260323.py``."""
-        *folders, name = [part.lower().lstrip("_.") for part in self._parts(path)]
-        old = any(folder in _PUT_ASIDE or _NAMED_OLD.fullmatch(folder) for folder in folders)
-        marked = any(_MARKED.search(part) for part in (*folders, name))
-        return old or marked or _COPY.search(name) is not None
+        return _is_put_aside(self._below_workspace(path))
 
     @staticmethod
     def successor_of(path: str) -> str | None:
@@ -72,9 +68,6 @@ class FileRoles:
         folder, name = posixpath.split(path)
         word = _RETIRED.match(name)
         return None if word is None else posixpath.join(folder, name[word.end() :])
-
-    def _parts(self, path: str) -> list[str]:
-        return self._below_workspace(path).split("/")
 
     def _below_workspace(self, path: str) -> str:
         return path.removeprefix(self.below.rstrip("/") + "/" if self.below not in ("", ".") else "")
@@ -85,6 +78,20 @@ def _is_test(path: str) -> bool:
     stem = path.rpartition("/")[2].removesuffix(".py")
     named = stem.startswith("test_") or stem.endswith("_test") or stem == "conftest"
     return named or _is_in_folder_of_tests(path)
+
+
+@lru_cache(maxsize=50_000)
+def _tries_out(path: str) -> bool:
+    words = (re.split(r"\d*[\W_]+|\d*$", part) for part in path.removesuffix(".py").lower().split("/"))
+    return any(not _TRIES_OUT.isdisjoint(each) for each in words)
+
+
+@lru_cache(maxsize=50_000)
+def _is_put_aside(path: str) -> bool:
+    *folders, name = [part.lower().lstrip("_.") for part in path.split("/")]
+    old = any(folder in _PUT_ASIDE or _NAMED_OLD.fullmatch(folder) for folder in folders)
+    marked = any(_MARKED.search(part) for part in (*folders, name))
+    return old or marked or _COPY.search(name) is not None
 
 
 def _is_in_folder_of_tests(path: str) -> bool:
