@@ -16,7 +16,7 @@ from archlint.python_code.raising_helpers import never_returns
 from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.parts import everything_in
+from archlint.syntax.parts import Itself, everything_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
@@ -197,8 +197,15 @@ def _ended_only_in(system: System, callback: Callback) -> bool:
         return False
     if any(function != handler for function, handler in _endings(system)):
         return False
+    return not _others_end_some(system)
+
+
+@once
+def _others_end_some(system: System) -> bool:
+    """Whether some callback that is no execute callback has a call that may end a goal."""
     code = source_code(system)
-    return not any(_ends_some(code.function(other)) for other in system.callbacks if other.role != Role.EXECUTE)
+    functions = {Itself(code.function(other)) for other in system.callbacks if other.role != Role.EXECUTE}
+    return any(_ends_some(function.fact) for function in functions)
 
 
 @once
