@@ -42,8 +42,10 @@ def kept_field_operations(system: System) -> Iterator[FieldOperation]:
         code = workspace.facts_at(file) if workspace.code.kind_of(file) == "python" else None
         for number, cls in enumerate(classes_of(code)) if code is not None else ():
             kept = _kept(system, file, cls)
-            own = {name for name in kept if is_its_own(workspace, file, number, name) and not is_given(workspace, name)}
-            yield from _of_class(file, cls, {name: kept[name] for name in sorted(own)})
+            for operation in _of_class(file, cls, kept):
+                name = operation.attribute.rpartition(".")[2]
+                if is_its_own(workspace, file, number, name) and not is_given(workspace, name):
+                    yield operation
 
 
 def _of_class(file: str, cls: facts.Class, attributes: dict[str, _Field]) -> Iterator[FieldOperation]:
