@@ -38,7 +38,7 @@ class TimedLoop:
 
 def timed_loops(function: facts.Function, file: facts.Facts) -> Iterator[TimedLoop]:
     """The loops without a wait or an early end that a function, or what it calls in the same file, comes to."""
-    if next(everything_in(file.body, facts.While), None) is None:
+    if not _has_loops(file):
         return
     constants = _constants(file)
     seen: set[tuple[int, tuple[tuple[str, float], ...]]] = set()
@@ -59,6 +59,11 @@ def timed_loops(function: facts.Function, file: facts.Facts) -> Iterator[TimedLo
                 called = called_here(call, current, file)
                 if called is not None:
                     todo.append((called, _given(call, called, numbers), depth - 1))
+
+
+@once_for
+def _has_loops(file: facts.Facts) -> bool:
+    return any(True for _ in everything_in(file.body, facts.While))
 
 
 def _seconds_of(loop: facts.While, function: facts.Function, numbers: _Numbers) -> float | None:
