@@ -45,6 +45,16 @@ class TestEntitiesOfCallbacks:
         created = [lines[row.place.line - 1] for row in told.related if row.message == "it is created here"]
         assert ["create_client" in line for line in created] == [True]
 
+    @pytest.mark.parametrize(("end", "told"), [("self.destroy_node()", False), ("print('gone')", True)])
+    def test_a_node_that_goes_with_its_object_takes_what_it_creates_along(self, run: Run, end: str, told: bool):
+        tool = (
+            "\n\nclass Tool(Node):\n    def __init__(self):\n        super().__init__('tool')\n"
+            "        self.client = self.create_client(Trigger, 'go')\n\n"
+            f"    def __del__(self):\n        {end}\n"
+        )
+        text = source(TIMER, "def tick(self):\n    Tool()\n").replace("\n\nclass ", f"{tool}\n\nclass ", 1)
+        assert ("EXE005" in codes(run(text))) is told
+
     @pytest.mark.parametrize(
         "body",
         [
