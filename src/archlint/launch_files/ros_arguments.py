@@ -60,11 +60,8 @@ def _of_program(workspace: WorkspaceIndex, started: Started, program: Program) -
     for place in program.strict_parsers:
         if _changes_words(workspace, place.file) is False:
             yield RefusedWords(started, place, counts=False)
-    given = [
-        *started.arguments,
-        *(rule for rule in (started.name, started.namespace) if rule is not None for _ in "-r"),
-    ]
-    least = 2 + len(given)  # its own name, and --ros-args
+    rules = [name for name in (started.name, started.namespace) if name is not None]
+    least = 2 + len(started.arguments) + 2 * len(rules)  # its own name, --ros-args, and a -r in front of each rule
     for count in _counts(workspace, program.file) or ():
         if count.takes < least:
             yield RefusedWords(started, Place(program.file, *count.span), counts=True)
