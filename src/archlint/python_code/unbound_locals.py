@@ -40,6 +40,7 @@ _ENDS = frozenset(
 """What ends a program, at any place: whoever catches it cares for nothing else.  No constructor of a node raises it."""
 _CLOCKS = frozenset({"datetime.datetime.now", "datetime.now", "time.monotonic", "time.perf_counter", "time.time"})
 """Calls that cannot fail, though they are calls: they read a clock."""
+_SOCKETS = frozenset({"socket.socket", "socket"})
 _OPTIONAL = frozenset({"ImportError", "ModuleNotFoundError", "NameError", "UnboundLocalError"})
 
 
@@ -277,11 +278,12 @@ def _may_fail(inside: Collection[Block], tried: Collection[Block]) -> bool:
     until = [block.fact for block in tried if block not in later or block in inside]
     kinds = (facts.Call, facts.Subscript, facts.Await)
     parts = (part for fact in until if fact is not None for part in parts_of(fact))
-    return any(isinstance(part, kinds) and not _reads_a_clock(part) for part in parts)
+    return any(isinstance(part, kinds) and not _hardly_fails(part) for part in parts)
 
 
-def _reads_a_clock(part: facts.Base) -> bool:
-    return isinstance(part, facts.Call) and part.func.dotted in _CLOCKS
+def _hardly_fails(part: facts.Base) -> bool:
+    """Whether a call reads a clock, or makes a socket: what is done with that is what fails."""
+    return isinstance(part, facts.Call) and part.func.dotted in _CLOCKS | _SOCKETS
 
 
 def _goes_on(edge: Edge) -> bool:
