@@ -413,6 +413,23 @@ def test_an_argument_with_the_name_of_a_file_that_is_empty_until_it_is_given(fin
 
 
 @pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        ('xacro_add_files("urdf/robot.urdf.xacro" INSTALL DESTINATION urdf/)', 0),
+        ('xacro_add_files("hands/left.urdf.xacro" INSTALL DESTINATION hands/)', 1),
+        ("", 1),
+    ],
+)
+def test_a_file_that_a_command_of_another_package_may_make(findings, command: str, told: int):
+    cmake = (
+        f"project(robot)\nfind_package(xacro REQUIRED)\n{command}\ninstall(DIRECTORY launch DESTINATION share/robot)\n"
+    )
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "urdf/robot.urdf.xacro": "<robot/>"}
+    launch = node('<param name="file" value="$(find-pkg-share robot)/urdf/robot.urdf"/>')
+    assert len(findings("LCH004", launch, **files)) == told
+
+
+@pytest.mark.parametrize(
     ("test", "told"),
     [
         ("if os.path.exists(path):", 0),

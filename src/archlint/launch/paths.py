@@ -87,7 +87,9 @@ class LaunchPaths:
                 direct,
                 FileStatus.INSTALLED if installs.open_files or not installs.build_files else FileStatus.NOT_INSTALLED,
             )
-        return None, FileStatus.UNKNOWN if installs.open_files or not installs.build_files else FileStatus.MISSING
+        # Another command of CMake may make it: xacro_add_files() makes urdf/robot.urdf of urdf/robot.urdf.xacro.
+        may_be_made = installs.open_files or not installs.build_files or installs.may_install(rest)
+        return None, FileStatus.UNKNOWN if may_be_made else FileStatus.MISSING
 
     def _in_workspace(self, path: str, installs: Installs) -> tuple[str | None, FileStatus]:
         """A path from the workspace on.  Only a file that is there can tell which of the folders above the package that
