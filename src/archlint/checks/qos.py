@@ -87,7 +87,7 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
     served = fitting(system, user)
     lost = "no message arrives"
     if served:
-        lost = f"its messages do not arrive, those of {served[0].node.name} do"
+        lost = f"its messages do not arrive, those of {served[0].node.shown} do"
     proven = _is_proven(system, first)
     loose = all(_is_of_loose_scripts(system, pair) for pair, _ in pairs)
     if loose:

@@ -162,7 +162,7 @@ def _around(system: System, contract: Contract, external: bool) -> Iterator[Find
 
 def _passes_by(contract: Contract, topic: Connection, end: Endpoint, past: list[Link]) -> Finding:
     through = " or ".join(contract.through)
-    reaches = f"and {past[0].target.node.name} receives it" if past else "which no node there subscribes to"
+    reaches = f"and {past[0].target.node.shown} receives it" if past else "which no node there subscribes to"
     return _finding(
         contract,
         f"{end.node.shown} publishes '{topic.name}' {reaches} without passing {through}, which the contract "

@@ -271,7 +271,7 @@ def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, End
         code,
         last.place,
         f"{last.node.shown} {_DOES[last.kind]} '{connection.name}' as {last.type}, but "
-        f"{against[0].node.name} {_DOES[against[0].kind]} it as {against[0].type}: they are never connected",
+        f"{against[0].node.shown} {_DOES[against[0].kind]} it as {against[0].type}: they are never connected",
         help=f"use the same type at both ends of the {connection.kind}, or different names",
         related=[
             Related(end.place, f"{end.node.shown} {_DOES[end.kind]} it as {end.type}") for end in (*against, *rest)
