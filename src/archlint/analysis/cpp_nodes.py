@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept
+from archlint.workspace.comments import blank
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -43,7 +44,7 @@ _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 def without_cpp_comments(text: str) -> str:
     """C++ with blanks for its comments, so that everything else stands where it stood."""
-    return _COMMENT.sub(lambda comment: re.sub(r"[^\n]", " ", comment[0]), text)
+    return _COMMENT.sub(lambda comment: blank(comment[0]), text)
 
 
 def is_never_used(workspace: WorkspaceIndex, place: Place) -> bool:

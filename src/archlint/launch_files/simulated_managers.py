@@ -16,7 +16,7 @@ from archlint.launch_files.plugin_parameters import controllers_of
 from archlint.launch_files.unloaded_parameter_files import parameter_files
 from archlint.place import Place
 from archlint.records import dataclass
-from archlint.workspace.comments import replace_xml_comments
+from archlint.workspace.comments import blank_xml_comments
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -56,7 +56,7 @@ def _named_files(workspace: WorkspaceIndex, file: str) -> list[Place] | None:
     text = workspace.tree.text(file) or ""
     if "ros2_control" not in text:
         return []
-    said = replace_xml_comments(text, lambda comment: re.sub(r"[^\n]", " ", comment))
+    said = blank_xml_comments(text)
     places = []
     for plugin in _PLUGIN.finditer(said):
         parameters = [*_PARAMETERS.finditer(plugin[0])]

@@ -17,7 +17,7 @@ from archlint.launch_files.plugin_parameters import controllers_of
 from archlint.launch_files.unloaded_parameter_files import is_named, parameter_files
 from archlint.place import Place
 from archlint.ros import packages
-from archlint.workspace.comments import replace_xml_comments, xml_comments
+from archlint.workspace.comments import blank, blank_xml_comments, xml_comments
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -62,12 +62,10 @@ def _words_of_comments(workspace: WorkspaceIndex) -> frozenset[str]:
 def _package_of(named: str) -> str:
     """The package that has a class, or an own library; empty where that is not known."""
     prefix, *rest = re.split("/|::", named)
-    if prefix in _OF_GROUPS and rest:
-        return (
-            "gripper_controllers"
-            if rest == ["GripperActionController"]
-            else (prefix if rest[0].startswith("JointGroup") else "")
-        )
+    if rest == ["GripperActionController"] and prefix in _OF_GROUPS:
+        return "gripper_controllers"
+    if rest and prefix in _OF_GROUPS:
+        return prefix if rest[0].startswith("JointGroup") else ""
     return _PREFIXES.get(prefix, prefix)
 
 
@@ -90,8 +88,8 @@ def _is_installed(workspace: WorkspaceIndex, file: str) -> bool:
 def _of_descriptions(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
     for file in _descriptions(workspace):
         text = workspace.tree.text(file) or ""
-        said = replace_xml_comments(text, _blank)
-        while (without := _UNDER_CONDITION.sub(lambda block: _blank(block[0]), said)) != said:
+        said = blank_xml_comments(text)
+        while (without := _UNDER_CONDITION.sub(lambda block: blank(block[0]), said)) != said:
             said = without
         for plugin in _PLUGIN.finditer(said):
             named = plugin[1] or _LIBRARIES.get(plugin[2])
@@ -112,10 +110,6 @@ def _descriptions(workspace: WorkspaceIndex) -> list[str]:
         and "<plugin" in (workspace.tree.text(file) or "")
         and _is_installed(workspace, file)
     ]
-
-
-def _blank(text: str) -> str:
-    return re.sub(r"[^\n]", " ", text)
 
 
 __all__ = ["packages_of_plugins"]

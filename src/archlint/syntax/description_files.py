@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from archlint.records import dataclass
 from archlint.syntax.facts import Span
-from archlint.workspace.comments import replace_xml_comments
+from archlint.workspace.comments import blank_xml_comments
 
 _TAG = re.compile(
     r"<(/?)([A-Za-z][\w:.-]*)((?:\s+[\w:.-]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*)\s*(/?)>",
@@ -41,7 +41,7 @@ def files_named(text: str) -> Iterator[NamedFile]:
     if _INCLUDE not in text and "package://" not in text:
         return
     perhaps = 0
-    text = replace_xml_comments(text, _blank)
+    text = blank_xml_comments(text)
     for match in _TAG.finditer(text):
         closing, tag, attributes, is_empty = match.groups()
         if tag in _PERHAPS and not is_empty:
@@ -50,10 +50,6 @@ def files_named(text: str) -> Iterator[NamedFile]:
             named = _FILE.search(text, match.start(), match.end())
             if named is not None:
                 yield from _named(text, named, tag == _INCLUDE)
-
-
-def _blank(comment: str) -> str:
-    return re.sub(r"[^\n]", " ", comment)
 
 
 def _named(text: str, match: re.Match[str], included: bool) -> Iterator[NamedFile]:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 
 _OF_XML = re.compile(r"<!--.*?-->", re.DOTALL)
+_IN_A_LINE = re.compile(r"[^\n]")
 _OF_LINES = re.compile(r"(?:^|(?<=\s))#[^\n]*", re.MULTILINE)
 
 
@@ -21,6 +22,16 @@ def replace_xml_comments(text: str, put: Callable[[str], str]) -> str:
     return _OF_XML.sub(lambda match: put(match[0]), text[:end]) + text[end:]
 
 
+def blank(text: str) -> str:
+    """Blanks for a text, on as many lines: what stands behind it stays where it is."""
+    return _IN_A_LINE.sub(" ", text)
+
+
+def blank_xml_comments(text: str) -> str:
+    """A text of XML with blanks for its comments."""
+    return replace_xml_comments(text, blank)
+
+
 def xml_comments(text: str) -> list[str]:
     """What stands in the comments of a text of XML, without the marks around each."""
     return [comment[len("<!--") : -len("-->")] for comment in _OF_XML.findall(text[: _end_of_last(text)])]
@@ -32,4 +43,4 @@ def _end_of_last(text: str) -> int:
     return 0 if last < 0 else last + len("-->")
 
 
-__all__ = ["replace_xml_comments", "without_comments", "xml_comments"]
+__all__ = ["blank", "blank_xml_comments", "replace_xml_comments", "without_comments", "xml_comments"]
