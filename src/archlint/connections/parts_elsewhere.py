@@ -71,21 +71,22 @@ def _listed(workspace: WorkspaceIndex) -> Iterator[bool]:
 
 @once
 def _repositories(workspace: WorkspaceIndex) -> frozenset[str]:
-    every = workspace.tree.files_below(workspace.tree.top)
-    texts = [workspace.tree.text(path) or "" for path in every if path.endswith(_LISTS)]
-    listed = frozenset(_plain(_name(repository)) for text in texts for repository in _REPOSITORY.findall(text))
-    return listed - _folders_with_packages(workspace)
+    return frozenset[str]().union(*_repositories_by_list(workspace).values())
+
+
+@once
+def _repositories_by_list(workspace: WorkspaceIndex) -> dict[str, frozenset[str]]:
+    """The repositories that are not here, by the ``.repos`` file that lists them."""
+    here = _folders_with_packages(workspace)
+    lists = (path for path in workspace.tree.files_below(workspace.tree.top) if path.endswith(_LISTS))
+    texts = ((path, workspace.tree.text(path) or "") for path in lists)
+    return {path: frozenset(_plain(_name(row)) for row in _REPOSITORY.findall(text)) - here for path, text in texts}
 
 
 def list_of_repositories(workspace: WorkspaceIndex) -> str:
     """The first ``.repos`` file with a repository that is not here, which may bring any package; empty where there is
     none."""
-    here = _folders_with_packages(workspace)
-    for path in workspace.tree.files_below(workspace.tree.top):
-        names = _REPOSITORY.findall(workspace.tree.text(path) or "") if path.endswith(_LISTS) else []
-        if any(_plain(_name(repository)) not in here for repository in names):
-            return path
-    return ""
+    return next((path for path, names in _repositories_by_list(workspace).items() if names), "")
 
 
 def _folders_with_packages(workspace: WorkspaceIndex) -> frozenset[str]:

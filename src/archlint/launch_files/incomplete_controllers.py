@@ -59,10 +59,9 @@ def passed_over_by_moveit(workspace: WorkspaceIndex) -> Iterator[IncompleteContr
     for folder in sorted(workspace.manifests):
         files = [] if workspace.manifests[folder].ros1 else workspace.tree.files_below(folder)
         for file in (file for file in files if file.endswith((".yaml", ".yml")) and not is_aside(workspace, file)):
-            text = workspace.tree.text(file) or ""
-            if MANAGER in text and not is_template(text):
-                for row in passed_over(text):
-                    yield IncompleteController(Place(file, *row.span), row.name, "", row.lacking)
+            text = workspace.tree.text(file) if workspace.code.mentions(file, MANAGER) else None
+            for row in () if text is None or is_template(text) else passed_over(text):
+                yield IncompleteController(Place(file, *row.span), row.name, "", row.lacking)
 
 
 @once

@@ -173,6 +173,7 @@ def _is_named_in_code(workspace: WorkspaceIndex, file: str) -> bool:
 __all__ = [
     "has_no_reader",
     "is_left_out",
+    "is_named",
     "is_superseded",
     "is_template",
     "loaded_files",

@@ -92,8 +92,7 @@ def _stops_at(workspace: WorkspaceIndex, node: Node, name: str, row: ParameterDe
     """Where the node stops for want of the value; None where it may not."""
     files = {row.place.file} | {frame.place.file for frame in row.chain}
     if is_cpp(row.place.file):
-        text = workspace.tree.text(row.place.file) or ""
-        line = text.splitlines()[row.place.line - 1 : row.place.end_line]
+        line = workspace.tree.lines(row.place.file, row.place.line, row.place.end_line)
         has_type = "declare_parameter<" in "".join("".join(line).split())
         return row.place if has_type and not _mentioned(workspace, files, _CATCHES) else None
     assert node.program is not None
