@@ -137,9 +137,8 @@ def _is_written(workspace: WorkspaceIndex, name: str, folders: Sequence[str], *,
     mentioning = (path for path in sorted(sources) if all(workspace.code.mentions(path, word) for word in words))
     for path in mentioning:
         text, launches = workspace.tree.text(path) or "", workspace.launch_files.can_be_launched(path)
-        if into_share:
-            if _SHARE.search(text) and writes.search(text):
-                return True
-        elif writes.search(text) or (not launches and _SAVES.search(text) and saved.search(text)):
+        if writes.search(text) and (not into_share or _SHARE.search(text)):
+            return True
+        if not into_share and not launches and _SAVES.search(text) and saved.search(text):
             return True
     return False

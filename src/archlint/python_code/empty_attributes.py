@@ -11,6 +11,7 @@ from archlint.python_code.tried_code import OF_A_WRONG_KIND, tried_for
 from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.walk import is_none
 
 _HAS = frozenset(dir(None))
 _ORDER = frozenset({"<", "<=", ">", ">="})
@@ -48,14 +49,10 @@ def _set_to_none(function: facts.Function) -> Iterator[facts.Expr]:
         match part:
             case facts.Assign():
                 for target, value in assigned_by(part):
-                    if _is_none(value):
+                    if value is not None and is_none(value):
                         yield target
-            case facts.Annotated(target=target, value=value) if _is_none(value):
+            case facts.Annotated(target=target, value=value) if value is not None and is_none(value):
                 yield target
-
-
-def _is_none(value: facts.Base | None) -> bool:
-    return isinstance(value, facts.Literal) and value.value is None
 
 
 def failing_uses(code: facts.Class, names: frozenset[str]) -> dict[facts.Span, Failing]:

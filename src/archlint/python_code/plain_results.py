@@ -15,6 +15,7 @@ from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
 from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
+from archlint.syntax.walk import is_none
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -67,15 +68,11 @@ def _returned(code: facts.Function) -> tuple[Kind, facts.Span] | None:
     rows = [
         (None if each.value is None else kind_of(each.value, values), each.span)
         for each in parts_of(code.body, facts.Return)
-        if not (each.value is None or _is_none(each.value))
+        if not (each.value is None or is_none(each.value))
     ]
     kinds = {kind for kind, _ in rows}
     kind = kinds.pop() if len(kinds) == 1 else None
     return (kind, rows[0][1]) if kind is not None and kind in HAVE else None
-
-
-def _is_none(value: facts.Expr) -> bool:
-    return isinstance(value, facts.Literal) and value.value is None
 
 
 # ------------------------------------------------------------------------------------------------- by the text alone
