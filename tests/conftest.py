@@ -6,6 +6,7 @@ import gc
 import os
 from collections.abc import Generator, Iterator
 from functools import lru_cache
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -64,6 +65,17 @@ def compiled_once() -> Iterator[None]:
         patch.setattr(workers, "can_fork", lambda waiting=0: False)
         patch.setattr(compiler, "encoded", lru_cache(maxsize=20_000)(compiler.encoded))
         yield
+
+
+_NUMBERS = count()
+
+
+@pytest.fixture
+def tmp_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An empty folder.  pytest's own also moves a link to the newest one, which costs more than a small run."""
+    folder = tmp_path_factory.getbasetemp() / f"t{next(_NUMBERS)}"
+    folder.mkdir()
+    return folder
 
 
 @pytest.fixture

@@ -57,8 +57,8 @@ class Table(
 
     def given(self) -> dict[str, Any]:
         """What is in the file, by the keys as they are written, in the order of the fields."""
-        fields = msgspec.structs.fields(self)
-        return {field.encode_name: value for field in fields if (value := getattr(self, field.name)) is not None}
+        keys = zip(self.__struct_encode_fields__, self.__struct_fields__, strict=True)
+        return {key: value for key, field in keys if (value := getattr(self, field)) is not None}
 
 
 class ContractTable(Table, frozen=True):

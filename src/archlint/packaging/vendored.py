@@ -45,6 +45,8 @@ def vendored_folders(workspace: WorkspaceIndex) -> frozenset[str]:
         and people.isdisjoint(packages[folder].people)
         and not _needs(workspace, packages[folder], own)
     )
+    if not chosen:
+        return chosen
     rest = packages.keys() - chosen
     copied = {_whole(workspace, folder, rest) for folder in chosen} if is_a_repository(workspace) else chosen
     return chosen if len(copied) <= len(rest) else frozenset()

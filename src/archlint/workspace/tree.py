@@ -7,8 +7,10 @@ import hashlib
 import os
 import posixpath
 import re
+import stat
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
@@ -38,7 +40,7 @@ class Tree(Protocol):
     @property
     def words(self) -> Words: ...
 
-    @property
+    @cached_property
     def top(self) -> str: ...
 
     def text(self, path: str) -> str | None: ...
@@ -69,7 +71,7 @@ class _NoFiles:
     def words(self) -> Words:
         return Words(lambda path: None)
 
-    @property
+    @cached_property
     def top(self) -> str:
         return "."
 
@@ -172,7 +174,7 @@ class SourceTree:
         self.words = Words(lambda path: self._text(path, "words"))
         self._tell: Callable[[Question, str | None], None] | None = None
 
-    @property
+    @cached_property
     def top(self) -> str:
         """The folder of all the files: not the working directory where that is above it or below."""
         return os.path.relpath(self._within, os.path.realpath(self.base)).replace(os.sep, "/")
@@ -214,9 +216,11 @@ class SourceTree:
 
     def _kind_now(self, path: str) -> str | None:
         real = self._real(path)
-        if real is None:
+        try:
+            mode = 0 if real is None else real.stat().st_mode
+        except OSError:
             return None
-        return "file" if real.is_file() else "folder" if real.is_dir() else None
+        return "file" if stat.S_ISREG(mode) else "folder" if stat.S_ISDIR(mode) else None
 
     def _note(self, question: Question, answer: str | None) -> None:
         answer = self.asked.setdefault(question, answer)
