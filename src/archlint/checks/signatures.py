@@ -36,12 +36,16 @@ _PASSED = {
 }
 """What rclpy calls a callback with; a task, with what it is given."""
 
+_BY_COUNT = frozenset({Role.FILTER, Role.TASK})
+"""Roles of callbacks of which each is called with as many arguments as the code around says."""
+
 _WHAT = {
     Role.SUBSCRIPTION: "the callback of a subscription",
     Role.SERVICE: "a service handler",
     Role.GUARD: "the callback of a guard condition",
     Role.DONE: "a done callback",
     Role.TASK: "a task of the executor",
+    Role.FILTER: "the callback of a message filter",
 }
 
 
@@ -64,16 +68,16 @@ def callback_signature(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _is_judged(callback: Callback) -> bool:
-    if callback.role == Role.TASK:
-        return callback.task_arguments is not None
+    if callback.role in _BY_COUNT:
+        return callback.given_count is not None
     return callback.role in _PASSED
 
 
 def _passed(callback: Callback) -> Sequence[str]:
     """What a callback is called with, in words."""
-    if not callback.task_arguments:
+    if not callback.given_count:
         return _PASSED.get(callback.role, ())
-    return ("1 argument",) if callback.task_arguments == 1 else (f"{callback.task_arguments} arguments",)
+    return ("1 argument",) if callback.given_count == 1 else (f"{callback.given_count} arguments",)
 
 
 @dataclass(frozen=True)
@@ -93,7 +97,7 @@ class _Wrong:
         owner = (node.place if node is not None else None, registered.file if registered is not None else "")
         if self.takes is None:
             return (*owner, "missing")
-        return (*owner, self.callback.role, self.distros, self.arguments)
+        return (*owner, self.callback.role, self.distros, self.arguments, self.callback.given_count)
 
 
 def _wrong(system: System, callback: Callback, distros: Sequence[str]) -> _Wrong | None:
@@ -179,7 +183,7 @@ def _registered(wrong: _Wrong) -> Place:
 
 def _fits(system: System, signature: Signature, callback: Callback, distro: str) -> bool:
     """Whether a function can be called with what rclpy of ``distro`` passes."""
-    counts = [len(_PASSED.get(callback.role, ())) if callback.task_arguments is None else callback.task_arguments]
+    counts = [len(_PASSED.get(callback.role, ())) if callback.given_count is None else callback.given_count]
     if callback.role == Role.SUBSCRIPTION and distro != "humble":
         counts.append(2)
     if callback.role == Role.TIMER and distro not in ("humble", "jazzy") and signature.wants_timer_info:
@@ -207,6 +211,8 @@ def _and(parts: Sequence[str]) -> str:
 def _what_is_passed(callback: Callback, passed: str) -> str:
     if callback.role == Role.TASK:
         return "give create_task() the arguments after the callback: create_task(callback, argument)"
+    if callback.role == Role.FILTER:
+        return "message_filters passes a message of each filter, then what follows the callback in registerCallback()"
     return f"rclpy passes {passed}"
 
 

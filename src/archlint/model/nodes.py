@@ -77,8 +77,9 @@ class Callback:
     """Parameters that a ``partial`` binds by name."""
     never_starts: bool = False
     """True of a thread that is made and not started."""
-    task_arguments: int | None = None
-    """How many arguments a task is given besides its callback; None of all others, and where it is not known."""
+    given_count: int | None = None
+    """How many arguments a task, or the callback of a message filter, is called with; None of all others, whose role
+    says it, and where it is not known."""
     file: str = ""
     missing: str | None = None
     """Set when the callback names a method that does not exist: its name."""

@@ -5,13 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint import model
+from archlint.branches import ChoiceOfArgument
 from archlint.interpreter.values import (
     External,
     Instance,
+    ListValue,
     Unknown,
     Value,
 )
 from archlint.libraries.rclpy.interface_types import types_of
+from archlint.libraries.tables.noted import SYNCHRONIZERS
 from archlint.libraries.values import EntityValue, FutureValue, MessageValue
 
 if TYPE_CHECKING:
@@ -19,6 +22,7 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
     from archlint.ros.interfaces import MessageClass
 GOAL_HANDLE = External("rclpy.action.server.ServerGoalHandle")
+_PASSED = Unknown("an argument that rclpy passes to the callback")
 
 
 def default_arguments(run: Run, role: model.Role, creation: model.Creation | None, call: ApiUse) -> tuple[Value, ...]:
@@ -45,9 +49,38 @@ def default_arguments(run: Run, role: model.Role, creation: model.Creation | Non
         return (call.receiver,) if isinstance(call.receiver, FutureValue) else (Unknown("a future"),)
     if role == model.Role.FEEDBACK:
         return (_feedback(run, call),)
-    if role in (model.Role.PARAMETER, model.Role.EVENT, model.Role.FILTER):
-        return (Unknown("an argument that rclpy passes to the callback"),)
+    if role == model.Role.FILTER:
+        filters = filters_of(run, call.receiver)
+        messages = [_PASSED] if filters is None else [_from_filter(run, each) for each in filters]
+        return (*messages, *call.rest)
+    if role in (model.Role.PARAMETER, model.Role.EVENT):
+        return (_PASSED,)
     return ()
+
+
+def filters_of(run: Run, filter_: Value | None) -> tuple[Value, ...] | None:
+    """The filters of message_filters each of which gives a callback one of its arguments: those of a synchronizer in
+    their order, or a subscriber itself; None where that is not known."""
+    match filter_:
+        case EntityValue():
+            return (filter_,)
+        case Instance(cls=External(path=path), arguments=arguments) if path in SYNCHRONIZERS:
+            given = arguments.get("0", arguments.get("fs"))
+            items = given.items(run) if isinstance(given, ListValue) and given.kind in ("list", "tuple") else None
+            return items.values if items is not None and not items.open and items.values else None
+    return None
+
+
+def _from_filter(run: Run, filter_: Value) -> Value:
+    """The message that a filter passes on: what a subscriber gets."""
+    match filter_:
+        case EntityValue(creations=[model.Creation(type=str(type_)) as creation]) if not any(
+            isinstance(branch, ChoiceOfArgument) for branch, _ in creation.branch_arms
+        ):
+            message = MessageValue(type_, "", run.store.new_key())
+            run.messages.delivered[message.key] = creation
+            return message
+    return _PASSED
 
 
 def _may_be_another_type(call: ApiUse) -> bool:

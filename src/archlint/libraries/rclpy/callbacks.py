@@ -19,7 +19,7 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.rclpy import messages
 from archlint.libraries.rclpy.callables import describe, without_partials
-from archlint.libraries.rclpy.callback_arguments import default_arguments
+from archlint.libraries.rclpy.callback_arguments import default_arguments, filters_of
 from archlint.libraries.state import Pending
 
 if TYPE_CHECKING:
@@ -69,6 +69,7 @@ def register(
         callback.node = node
         callback.creation = creation
         callback.group = None if role in _IN_NO_GROUP else group
+        callback.given_count = _given_by_filters(run, call) if role == model.Role.FILTER else None
         callback.registered = run.place(call.expression.span) if call.expression is not None else None
         key = (role, callback.registered, callback.name, callback.place, id(creation), _receiver(option))
         if not _is_new(run, key, callback, (option, call.receiver, *(arguments or ()))):
@@ -85,6 +86,13 @@ def register(
             run.library.escaped((option,), "it is bound to a callback that is not followed", call.expression)
         first = first or callback
     return first
+
+
+def _given_by_filters(run: Run, call: ApiUse) -> int | None:
+    """How many arguments message_filters calls a callback with: a message of each filter, and what it is registered
+    with."""
+    filters = None if call.open else filters_of(run, call.receiver)
+    return None if filters is None else len(filters) + len(call.rest)
 
 
 def _callables(value: Value) -> list[Value]:
@@ -141,4 +149,4 @@ def task(run: Run, call: ApiUse, node: model.Blueprint | None) -> None:
     value = Partial(value, (), named) if named else value
     callback = register(run, value, model.Role.TASK, node, None, None, call, tuple(call.rest))
     if callback is not None and not call.open:
-        callback.task_arguments = len(call.rest)
+        callback.given_count = len(call.rest)
