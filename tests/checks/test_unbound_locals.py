@@ -50,10 +50,29 @@ def test_an_except_that_goes_on_to_the_read(judge: Judge):
     )
     assert finding.severity is Severity.WARNING
     assert finding.message == (
-        "'value' has no value here once the except on line 16 has run: this line fails with an UnboundLocalError then"
+        "'value' has no value here where line 15 has failed, since the except on line 16 goes on: this line fails with "
+        "an UnboundLocalError then"
     )
     assert finding.help == "return in that except, or give value a value there"
     assert [row.place.line for row in finding.related] == [15, 16]
+
+
+def test_a_loop_goes_on_with_its_next_round(judge: Judge):
+    lines = ("while True:", "    try:", "        value = float(message.data)", "    except ValueError:", "        pass")
+    (finding,) = judge("API005", _node(*lines, "    print(value)  # here"))
+    assert finding.help == "continue in that except, or give value a value there"
+
+
+def test_no_constructor_returns_early(judge: Judge):
+    lines = ("try:", "    port = open('port')", "except OSError:", "    pass", "print(port)  # here", "self.sub = ")
+    source = NODE.replace("self.sub = ", "\n        ".join(lines))
+    (finding,) = judge("API005", source.format(body="        pass"))
+    assert finding.help == "raise in that except, or give port a value there"
+
+
+def test_the_first_read_behind_an_except_is_in_a_loop(judge: Judge):
+    lines = ("try:", "    value = float(message.data)", "except ValueError:", "    pass", "for _ in range(3):")
+    judge("API005", _node(*lines, "    print(value)  # here", "print(value)"))
 
 
 @pytest.mark.parametrize(("ends", "mark"), [("raise error", ""), ("print(error)", "  # here")])
@@ -211,6 +230,22 @@ def test_other_ways_to_a_variable_without_a_value(judge: Judge, lines: tuple[str
             "try:",
             "    a = socket.socket(socket.AF_INET)",
             "    a.connect(message.data)",
+            "except OSError:",
+            "    print('no')",
+            "print(a)",
+        ),
+        (
+            "try:",
+            "    a = String()",
+            "    a.data = str(float(message.data))",
+            "except ValueError:",
+            "    pass",
+            "print(a)",
+        ),
+        (
+            "from pathlib import Path",
+            "try:",
+            "    a = Path(message.data).resolve()",
             "except OSError:",
             "    print('no')",
             "print(a)",

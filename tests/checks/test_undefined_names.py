@@ -96,7 +96,7 @@ def test_a_name_that_nothing_defines(judge: Judge, line: str, hint: str, help: s
     [
         ("count += 1", "", "give count a value before"),
         ("limit += 1", "; did you mean 'self.limit'?", "write self.limit"),
-        ("shared += 1", "", "write `global shared` in the function"),
+        ("shared += 1", "", "write `global shared` at the beginning of talk()"),
     ],
 )
 def test_a_local_variable_that_is_only_added_to(judge: Judge, line: str, hint: str, help: str) -> None:
@@ -107,7 +107,19 @@ def test_a_local_variable_that_is_only_added_to(judge: Judge, line: str, hint: s
 
 def test_a_variable_that_is_added_to_fails_where_it_is_read_first(judge: Judge) -> None:
     (finding,) = judge("API005", _node("if shared > 3:  # here", "    return", "shared += 1") + "\n\nshared = 0\n")
-    assert finding.help == "write `global shared` in the function"
+    assert finding.help == "write `global shared` at the beginning of talk()"
+
+
+def test_variables_that_one_function_adds_to_are_one_finding(judge: Judge) -> None:
+    lines = ("shared += 1  # here", "if other:", "    total += 1")
+    (finding,) = judge("API005", _node(*lines) + "\n\nshared = total = other = 0\n")
+    assert finding.help == "write `global shared, total` at the beginning of talk()"
+
+
+def test_a_function_that_assigns_one_variable_of_the_file_and_adds_to_another(judge: Judge) -> None:
+    lines = ("if not other:  # here", "    other = True", "total += 1")
+    (finding,) = judge("API005", _node(*lines) + "\n\ntotal = other = 0\n")
+    assert finding.help == "write `global other, total` at the beginning of talk()"
 
 
 @pytest.mark.parametrize(

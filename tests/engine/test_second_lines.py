@@ -141,6 +141,28 @@ def test_two_lines_are_two_mistakes(tmp_path: Path) -> None:
     assert told(tmp_path, source) == ["API001", "API005"]
 
 
+def test_an_except_to_which_a_line_before_keeps_every_run_from_coming(tmp_path: Path) -> None:
+    source = """
+        import rclpy
+
+
+        def main(args=None):
+            rclpy.init(args=args)
+            try:
+                with open(self.path) as file:  # here
+                    data = file.read()
+            except {caught}:
+                print('no file')
+            print(data){mark}
+
+
+        main()
+    """
+    assert told(tmp_path, source.format(caught="OSError", mark="")) == ["API005"]
+    told(tmp_path, source.format(caught="(NameError, OSError)", mark="").replace("  # here", ""))
+    told(tmp_path, source.format(caught="Exception", mark="  # here"))
+
+
 CALLED = """
     import rclpy
 

@@ -56,20 +56,66 @@ def _skipped(workspace: WorkspaceIndex, file: str, failing: Sequence[facts.Span]
             sure = (block for block in graph_of(body).evaluating(span) if _is_sure(block.fact, span))
             ending.setdefault(Itself(body), set()).update(sure)
     for known, blocks in ending.items():
-        yield from _behind(graph_of(known.fact), blocks)
+        yield from _behind(graph_of(known.fact), known.fact, blocks)
 
 
-def _behind(graph: Graph, ending: set[Block]) -> Iterator[facts.Base]:
+def _behind(graph: Graph, body: Sequence[facts.Stmt], ending: set[Block]) -> Iterator[facts.Base]:
     """What a piece of code evaluates in no run if some of its blocks do nothing but raise."""
-
-    def goes_on(edge: Edge) -> bool:
-        return edge.kind is Kind.RAISE or edge.source not in ending
-
-    reached = reach([graph.entry], goes_on)
+    missed = _missed(graph, body)
+    reached = reach([graph.entry], lambda edge: edge.source not in ending and not _is_of_head(edge))
+    landed: set[Block] = set()
+    while new := (ending & reached) - landed:
+        landed |= new
+        raised = [edge.target for block in new for edge in block.edges if edge.kind is Kind.RAISE]
+        starts = [target for each in raised for target in ([] if each in reached else _landing(each, missed))]
+        reached |= reach(starts, lambda edge: edge.source not in ending and not _is_of_head(edge), avoiding=reached)
     known = {Itself(part) for block in reached for part in _evaluated(block)}
     for block in graph.blocks:
         if block not in reached:
             yield from (part for part in _evaluated(block) if Itself(part) not in known)
+
+
+_OTHER_FAILURES = frozenset(
+    {
+        *("ConnectionError", "ConnectionRefusedError", "EOFError", "ExternalShutdownException", "FileExistsError"),
+        *(
+            "FileNotFoundError",
+            "IOError",
+            "ImportError",
+            "IsADirectoryError",
+            "KeyboardInterrupt",
+            "ModuleNotFoundError",
+        ),
+        *("OSError", "PermissionError", "SerialException", "SystemExit", "TimeoutError", "TransformException"),
+        *("YAMLError", "ZeroDivisionError"),
+    }
+)
+"""What no line raises by mistake: an ``except`` for these misses what a wrong name or argument raises."""
+_MODULES = frozenset({"rclpy", "executors", "serial", "socket", "tf2_ros", "yaml"})
+
+
+def _missed(graph: Graph, body: Sequence[facts.Stmt]) -> set[Block]:
+    """The blocks with which those handlers begin to which no mistake leads."""
+    handlers = (handler for attempt in parts_of(body, facts.Try) for handler in attempt.handlers)
+    missing = (each for each in handlers if each.body and each.caught and each.caught <= _OTHER_FAILURES | _MODULES)
+    return {block for handler in missing for block in graph.of(handler.body[0])}
+
+
+def _is_of_head(edge: Edge) -> bool:
+    """Whether an exception would come from ``try:`` itself, which does nothing."""
+    return edge.kind is Kind.RAISE and edge.source.fact is None and isinstance(edge.source.statement, facts.Try)
+
+
+def _landing(raised: Block, missed: set[Block]) -> Iterator[Block]:
+    """Where code goes on after a mistake that leads to a block."""
+    if all(edge.target not in missed for edge in raised.edges):
+        yield raised
+        return
+    for edge in raised.edges:
+        if edge.kind is Kind.RAISE:
+            yield from _landing(edge.target, missed)
+        elif edge.target not in missed:
+            yield edge.target
 
 
 def _evaluated(block: Block) -> Iterator[facts.Base]:

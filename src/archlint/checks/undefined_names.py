@@ -42,6 +42,12 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
             (row.place.file, row.near.partition(".")[0]) for row in missing_imports(system.workspace) if row.near
         }
         names = list(undefined_names(system.workspace))
+        unbound = [(local, _of_unbound(system.workspace, local)) for local in unbound_locals(system.workspace)]
+        lacks_global = {
+            _function_around(system.workspace, local): told.group
+            for local, told in unbound
+            if told.group[-1] == _GLOBAL
+        }
         of_ros_1 = {_function_around(system.workspace, read) for read in names if read.name in _OF_ROS_1} - {None}
         for read in names:
             if of_ros_1 and read.name not in _OF_ROS_1 and _function_around(system.workspace, read) in of_ros_1:
@@ -64,9 +70,12 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
                 statement = None if stops else statement
                 leader = _IMPORTS if imports and not stops else read.name
                 told = replace(told, group=(read.place.file, leaders.setdefault((read.place.file, statement), leader)))
+            if told.group[-1] == _ADDED and told.help.startswith(_DECLARE):  # one statement declares all of a function
+                function = _function_around(system.workspace, read)
+                leader = leaders.setdefault((read.place.file, (_ADDED, function)), read.name)
+                told = replace(told, group=lacks_global.get(function, (read.place.file, leader, _ADDED)))
             yield from unless_uncalled(system, told)
-        for local in unbound_locals(system.workspace):
-            told = _too_early(system.workspace, local) if local.caught is None else _past_handler(local)
+        for local, told in unbound:
             if told.group[-1] == _EARLY:  # a statement fails at the first of its names, which tells the rest
                 span = getattr(source_code(system).statement_at(local.place), "span", None)
                 leader = leaders.setdefault((local.place.file, (_EARLY, span)), local.name)
@@ -74,7 +83,7 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
             yield from unless_uncalled(system, told)
 
 
-def _function_around(workspace: WorkspaceIndex, read: Undefined) -> Place | None:
+def _function_around(workspace: WorkspaceIndex, read: Undefined | UnboundLocal) -> Place | None:
     """The function in which a name is read, by its place."""
     function = code_of(workspace).function_at(read.place)
     return None if function is None else Place.of(read.place.file, function.span)
@@ -93,6 +102,10 @@ def _outside_of_classes(method: StrayMethod) -> Finding:
     )
 
 
+def _of_unbound(workspace: WorkspaceIndex, read: UnboundLocal) -> Finding:
+    return _too_early(workspace, read) if read.caught is None else _past_handler(read)
+
+
 def _too_early(workspace: WorkspaceIndex, read: UnboundLocal) -> Finding:
     if read.hidden:
         return _hiding(read)
@@ -108,7 +121,7 @@ def _too_early(workspace: WorkspaceIndex, read: UnboundLocal) -> Finding:
 
 
 def _declare(names: Sequence[str], function: str) -> str:
-    return f"write `global {', '.join(names)}` at the beginning of {function}()"
+    return f"{_DECLARE}{', '.join(names)}` at the beginning of {function}()"
 
 
 def _without_value(read: UnboundLocal) -> Finding:
@@ -162,9 +175,9 @@ def _past_handler(read: UnboundLocal) -> Finding:
     told = finding(
         "API005",
         read.place,
-        f"'{read.name}' has no value here once the except on line {read.caught.line} has run: this line fails with an "
-        "UnboundLocalError then",
-        help=f"return in that except, or give {read.name} a value there",
+        f"'{read.name}' has no value here where line {read.failing} has failed, since the except on line "
+        f"{read.caught.line} goes on: this line fails with an UnboundLocalError then",
+        help=f"{read.way_out} in that except, or give {read.name} a value there",
         related=[
             Related(read.assigned, "this is where it would have got one"),
             Related(read.caught, "it goes on to that line"),
@@ -183,6 +196,9 @@ _EARLY = "early"
 """The group of findings about a variable of a function that is read before it has a value."""
 _GLOBAL = "global"
 """The group of findings about variables of the file that one function assigns without declaring them ``global``."""
+_ADDED = "local"
+"""The group of findings about a variable that ``+=`` makes one of the function."""
+_DECLARE = "write `global "
 PAST_HANDLER = "caught"
 """The group of findings about what one ``except`` leaves without a value."""
 
@@ -212,14 +228,15 @@ def _unbound_local(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     """A variable that ``+=`` makes a local one, so that one of the file or of the class is not meant: the function
     fails where it reads it first."""
     is_global = not read.of_self and read.name in read.known
+    function = code_of(workspace).function_at(read.place)
     return finding(
         "API005",
         first_use(workspace, read.place, read.name),
         f"nothing gives '{read.name}' a value in this function: this line fails with an UnboundLocalError"
         + meant(f"'self.{read.name}'" if read.of_self else ""),
-        help=f"write `global {read.name}` in the function" if is_global else _cure_of(read),
-        identity=(read.name, "local"),
-        group=(read.place.file, read.name, "local"),
+        help=_declare([read.name], function.name) if function is not None and is_global else _cure_of(read),
+        identity=(read.name, _ADDED),
+        group=(read.place.file, read.name, _ADDED),
         fails=True,
     )
 
@@ -297,6 +314,8 @@ def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
         return with_others(findings, "another variable has", "more variables have", "none, either")
     if findings[0].group[-1] == _GLOBAL:
         return _of_globals(findings)
+    if findings[0].group[-1] == _ADDED:
+        return _of_added(findings)
     if _EARLY in findings[0].group and len({told.identity[0] for told in findings}) > 1:
         return with_others(findings, "another variable has", "more variables have", "none, either")
     if findings[0].group[-1] == _IMPORTS:
@@ -308,9 +327,20 @@ def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
 
 def _of_globals(findings: Sequence[Finding]) -> Finding:
     """The first of the variables of the file that a function assigns as its own, with one cure for all."""
-    names = [told.identity[0] for told in findings]
+    names = dict.fromkeys(told.identity[0] for told in findings)
     whole = with_others(findings, "another variable has", "more variables have", "none, either")
-    return replace(whole, help=_declare(names, findings[0].identity[2]))
+    return replace(whole, help=_declare([*names], findings[0].group[1]))
+
+
+def _of_added(findings: Sequence[Finding]) -> Finding:
+    """The first variable of the file that a function adds to as its own, for all others of that function and for the
+    same ones of other functions."""
+    names = dict.fromkeys(told.identity[0] for told in findings)
+    if len(names) == 1:
+        return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
+    function = findings[0].help.rpartition(" ")[2].removesuffix("()") if findings[0].help else ""
+    whole = with_others(findings, "another variable has", "more variables have", "none, either")
+    return replace(whole, help=_declare([*names], function)) if function else whole
 
 
 def _of_imports(findings: Sequence[Finding]) -> Finding:

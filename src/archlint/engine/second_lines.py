@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from archlint.analysis.behind_failures import BehindFailures
+from archlint.checks.undefined_names import PAST_HANDLER
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
@@ -15,7 +16,7 @@ _AT_THE_END = frozenset({"EXE015", "EXE016"})
 """Rules that tell how a program ends."""
 _OF_LINES = frozenset({"API001", "API002", "API005", "MSG001", "MSG003"})
 """Rules that tell which line raises an exception, or sends something else.  Two such lines of one function are two
-mistakes, whichever of them is reached."""
+mistakes, whichever of them is reached; but for one that fails only where an ``except`` has run that no run comes to."""
 
 
 def without_second_lines(index: WorkspaceIndex, findings: Iterable[Finding]) -> list[Finding]:
@@ -27,7 +28,7 @@ def without_second_lines(index: WorkspaceIndex, findings: Iterable[Finding]) -> 
 
 
 def _is_second(finding: Finding, behind: BehindFailures) -> bool:
-    if finding.code in _AT_THE_END:
+    if finding.code in _AT_THE_END or PAST_HANDLER in finding.group:
         return behind.skips(finding.place)
     return finding.code in _OF_LINES and behind.leaves_out(finding.place)
 

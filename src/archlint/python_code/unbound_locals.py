@@ -6,14 +6,15 @@ Either no way leads to the read past an assignment, or the one in a ``try`` fail
 from __future__ import annotations
 
 import builtins
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.analysis.source_code import code_of
 from archlint.place import Place
 from archlint.python_code.block_bindings import after, bound_at, is_plain, read_at
+from archlint.python_code.likely_failures import failing_before
 from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, stars
 from archlint.python_code.raising_helpers import is_caught_inside, never_returns
 from archlint.records import dataclass
@@ -38,10 +39,10 @@ _ENDS = frozenset(
     }
 )
 """What ends a program, at any place: whoever catches it cares for nothing else.  No constructor of a node raises it."""
-_CLOCKS = frozenset({"datetime.datetime.now", "datetime.now", "time.monotonic", "time.perf_counter", "time.time"})
-"""Calls that cannot fail, though they are calls: they read a clock."""
-_SOCKETS = frozenset({"socket.socket", "socket"})
 _OPTIONAL = frozenset({"ImportError", "ModuleNotFoundError", "NameError", "UnboundLocalError"})
+
+
+WayOut = Literal["continue", "raise", "return"]
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,10 @@ class UnboundLocal:
     name: str
     assigned: Place
     caught: Place | None = None
+    failing: int = 0
+    """The line whose failure leads to that ``except``."""
+    way_out: WayOut = "return"
+    """How the code leaves that ``except`` without coming to the read."""
     hidden: str = ""
     """What of the file has the same name, if it is a class or a function: nobody can mean it in this function."""
     own_assignment: bool = False
@@ -67,6 +72,8 @@ class _Row:
     span: facts.Span
     assigned: facts.Span
     caught: facts.Span | None = None
+    failing: int = 0
+    way_out: WayOut = "return"
     hidden: str = ""
     own_assignment: bool = False
     of_file: bool = False
@@ -84,7 +91,17 @@ def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
                 continue
             assigned = Place(path, *row.assigned)
             read = Place(path, *row.span)
-            yield UnboundLocal(read, row.name, assigned, caught, row.hidden, row.own_assignment, row.of_file)
+            yield UnboundLocal(
+                read,
+                row.name,
+                assigned,
+                caught,
+                row.failing,
+                row.way_out,
+                row.hidden,
+                row.own_assignment,
+                row.of_file,
+            )
 
 
 def _never_goes_on(workspace: WorkspaceIndex, read: Place, caught: Place) -> bool:
@@ -158,8 +175,20 @@ def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iter
             if caught is not None and _is_defined(caught[1], function, known):
                 tried = {block for statement in attempt.body for block in graph.at(statement)}
                 assigned = next(span for block, span in bound[name] if block in tried)
-                yield _Row(name, caught[0].span, assigned, caught[1].span)
+                read, handler, failing = caught
+                way_out = _way_out(function, attempt, read)
+                yield _Row(name, read.span, assigned, handler.span, failing, way_out)
                 break
+
+
+def _way_out(function: facts.Function, attempt: facts.Try, read: facts.Name) -> WayOut:
+    """How an ``except`` of an attempt leaves out what comes to a read: a loop goes round once more, and no constructor
+    returns before the object is whole."""
+    loops = (part for part in parts_of(function.body) if isinstance(part, facts.For | facts.While))
+    inside = ({Itself(part) for part in parts_of(loop.body)} for loop in loops)
+    if any(Itself[facts.Base](attempt) in parts and Itself[facts.Base](read) in parts for parts in inside):
+        return "continue"
+    return "raise" if function.name == "__init__" else "return"
 
 
 def _expected(attempt: facts.Try) -> Iterator[Itself[facts.Base]]:
@@ -229,18 +258,20 @@ def _never_before(bound: Collection[Block], rows: Collection[tuple[Block, facts.
 
 
 def _past_handler(
-    graph: Graph, attempt: facts.Try, bound: Collection[Block], rows: Collection[tuple[Block, facts.Name, bool]]
-) -> tuple[facts.Name, facts.Handler] | None:
-    """The read to which a handler surely leads, where what it handles keeps the variable from its only assignment."""
+    graph: Graph, attempt: facts.Try, bound: Collection[Block], rows: Sequence[tuple[Block, facts.Name, bool]]
+) -> tuple[facts.Name, facts.Handler, int] | None:
+    """The read to which a handler surely leads, where what it handles keeps the variable from its only assignment, and
+    the line that fails then."""
     tried = {block for statement in attempt.body for block in graph.at(statement)}
     inside = [block for block in bound if block in tried]
     starts = graph.of(attempt)
-    if not inside or not starts or not _may_fail(inside, tried):
+    failing = failing_before(inside, tried)
+    if not inside or not starts or failing is None:
         return None
     before = _onward([edge.target for block in bound for edge in block.edges if _goes_on(edge)])
     if any(start in before for start in starts):
         return None
-    reading = {block: name for block, name, surely in rows if surely and block not in tried}
+    reading = {block: name for block, name, surely in reversed(rows) if surely and block not in tried}
     final = {block for statement in attempt.final for block in graph.at(statement)}
     for handler in attempt.handlers:
         if not handler.body or not handler.caught or handler.caught & (_ENDS | _OPTIONAL):
@@ -248,7 +279,7 @@ def _past_handler(
         for start in graph.of(handler.body[0]):
             read = _surely_read(graph, start, bound, reading)
             if read is not None and read not in final:
-                return reading[read], handler
+                return reading[read], handler, failing
     return None
 
 
@@ -260,7 +291,9 @@ def _is_defined(handler: facts.Handler, function: facts.Function, known: frozens
     return names <= known.union(bound_in(function.body), (param.name for param in function.params))
 
 
-def _surely_read(graph: Graph, start: Block, bound: Collection[Block], reading: Collection[Block]) -> Block | None:
+def _surely_read(
+    graph: Graph, start: Block, bound: Collection[Block], reading: Mapping[Block, facts.Name]
+) -> Block | None:
     """The block, of some, that every way from another one on comes to first, with no assignment before."""
     clear = reach([start], without_exceptions, avoiding=reading)
     if not clear.isdisjoint(graph.exits) or not clear.isdisjoint(bound):
@@ -269,21 +302,7 @@ def _surely_read(graph: Graph, start: Block, bound: Collection[Block], reading: 
     if any(edge.kind is not Kind.NEXT for edge in edges):
         return None  # round a loop, or out of the function
     reads = [edge.target for edge in edges if edge.target in reading]
-    return min(reads, key=graph.blocks.index, default=None)
-
-
-def _may_fail(inside: Collection[Block], tried: Collection[Block]) -> bool:
-    """Whether something that can fail is tried until the variable has its value: a call, say."""
-    later = after(inside)
-    until = [block.fact for block in tried if block not in later or block in inside]
-    kinds = (facts.Call, facts.Subscript, facts.Await)
-    parts = (part for fact in until if fact is not None for part in parts_of(fact))
-    return any(isinstance(part, kinds) and not _hardly_fails(part) for part in parts)
-
-
-def _hardly_fails(part: facts.Base) -> bool:
-    """Whether a call reads a clock, or makes a socket: what is done with that is what fails."""
-    return isinstance(part, facts.Call) and part.func.dotted in _CLOCKS | _SOCKETS
+    return min(reads, key=lambda block: reading[block].span, default=None)
 
 
 def _goes_on(edge: Edge) -> bool:
