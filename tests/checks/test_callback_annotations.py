@@ -147,3 +147,10 @@ def test_what_is_published_says_which_of_the_two_is_wrong(judge: Judge, type: st
 def test_where_a_third_type_is_published_neither_is_right(judge: Judge):
     """TOP001 says what the topic lacks; nobody knows what the callback is for."""
     assert not judge("MSG004", NODE.format(message=": Twist):", request=", response):"), PUBLISHES.format(type="Image"))
+
+
+@pytest.mark.parametrize(("read", "mark"), [("linear", ""), ("header", "  # here"), ("angle", "  # here")])
+def test_a_field_of_the_annotation_that_the_message_has_not(judge: Judge, read: str, mark: str):
+    """MSG001 tells that, at the line that fails."""
+    source = NODE.format(message=f": Twist):{mark}", request=", response):")
+    judge("MSG004", source.replace("message.header", f"message.{read}"))

@@ -55,6 +55,11 @@ def main():
 """
 
 
+def test_a_number_for_a_string_may_stand_for_another(judge: Judge):
+    [finding] = judge("MSG003", NODE.format(line="String().data = 5  # here", of_joy="pass"))
+    assert finding.help == "give it the string that is meant: str() would send '5'"
+
+
 @pytest.mark.parametrize(
     ("line", "says"),
     [

@@ -86,6 +86,13 @@ def test_an_operator_that_rclpy_refuses(judge: Judge, line: str, message: str, h
     assert (finding.message, finding.help) == (message, help)
 
 
+def test_a_stamp_beside_a_time_of_another_clock_than_it_would_get(judge: Judge):
+    (finding,) = judge("API001", NODE.format(line="made = Time()\n        return msg.header.stamp - made  # here"))
+    assert finding.help == (
+        "make a Time of the stamp first, with the clock of the other: Time.from_msg(…, clock_type=….clock_type)"
+    )
+
+
 @pytest.mark.parametrize(
     "line",
     [

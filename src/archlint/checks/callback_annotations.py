@@ -11,7 +11,7 @@ from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.model import Callback, Creation, Role
+from archlint.model import Callback, Creation, FieldUse, Role
 from archlint.python_code.annotations import AnnotatedMessage, annotated_messages
 from archlint.records import dataclass
 
@@ -45,7 +45,8 @@ class _Annotated:
 @rule("MSG004", scope=Scope.CODE)
 def callback_annotation(system: System, options: Options) -> Iterator[Finding]:
     """Annotations that name another type than any subscription or service passes; where a topic's publishers send a
-    third one, neither is right, and the annotation is the least of it."""
+    third one, neither is right, and the annotation is the least of it; so it is where a field is read that is missing.
+    """
     parameters: dict[Place, list[_Annotated | None]] = {}
     unknown = (interface for run in system.programs for interface in run.unknown_interfaces)
     nowhere = frozenset(f"{interface.package}/{interface.kind}/{interface.name}" for interface in unknown)
@@ -61,9 +62,35 @@ def callback_annotation(system: System, options: Options) -> Iterator[Finding]:
         # Of a type that is nowhere defined, MSG002 speaks: whoever removes the import mends the annotation, too.
         if len(rows) < len(parameters[place]) or rows[0].message.interface in nowhere:
             continue
+        if any(_is_read_as_annotated(system, row) for row in rows):
+            continue  # MSG001 tells the first field that what is passed does not have: who mends it mends this, too
         sent = _types_sent(system).get(rows[0].creation.place, frozenset())
         if not sent or not sent.isdisjoint((rows[0].type, rows[0].message.interface)):
             yield _finding(system, rows[0], sent)
+
+
+def _is_read_as_annotated(system: System, row: _Annotated) -> bool:
+    """Whether the code asks what it is passed for a field that the annotation means, and that this has not."""
+    workspace, message = system.workspace, row.message
+    interfaces = None if workspace is None else workspace.interfaces
+    if interfaces is None:
+        return False
+    section = message.section_name or row.section_name
+    return any(
+        (use.type, use.section_name) == (row.type, row.section_name)
+        and interfaces.has(message.interface, section, use.name)
+        for use in _absent_fields(system).get(row.creation.place, ())
+    )
+
+
+@once
+def _absent_fields(system: System) -> dict[Place, list[FieldUse]]:
+    """The uses of fields that a message does not have, by what delivers it."""
+    uses: dict[Place, list[FieldUse]] = {}
+    for use in (use for program in system.programs for use in program.field_uses):
+        if use.exists is False and use.delivered is not None:
+            uses.setdefault(use.delivered.place, []).append(use)
+    return uses
 
 
 @once

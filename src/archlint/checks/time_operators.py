@@ -66,6 +66,8 @@ def _finding(row: RefusedOperator) -> Finding:
 
 def _cure(row: RefusedOperator) -> str:
     kinds = {row.left, row.right}
+    if Kind.STAMP in kinds and Kind.TIME in kinds and row.of_system:
+        return "make a Time of the stamp first, with the clock of the other: Time.from_msg(…, clock_type=….clock_type)"
     if Kind.STAMP in kinds:
         return "make a Time of the stamp first: Time.from_msg(…)"
     if Kind.NUMBER not in kinds:

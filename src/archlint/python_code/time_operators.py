@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
-from archlint.python_code.rclpy_objects import Kind, objects_of
+from archlint.python_code.rclpy_objects import Kind, Objects, objects_of
 from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of
@@ -28,17 +28,19 @@ class RefusedOperator:
     left: Kind
     right: Kind
     place: Place
+    of_system: bool = False
+    """Whether the file makes times of the system's clock, such as ``Time()``: ``from_msg()`` makes those of ROS's."""
 
 
 def refused_operators(workspace: WorkspaceIndex) -> Iterator[RefusedOperator]:
     """Those of the files that use rclpy, outside of test code."""
     for file, _ in workspace.code.judged():
         if not workspace.roles.is_test(file.relative) and workspace.code.mentions(file.relative, "rclpy"):
-            for op, left, right, span in _refused(workspace, file.relative) or ():
-                yield RefusedOperator(op, left, right, Place(file.relative, *span))
+            for op, left, right, span, of_system in _refused(workspace, file.relative) or ():
+                yield RefusedOperator(op, left, right, Place(file.relative, *span), of_system)
 
 
-_Row = tuple[str, Kind, Kind, facts.Span]
+_Row = tuple[str, Kind, Kind, facts.Span, bool]
 _ORDER = frozenset({"<", "<=", ">", ">="})
 _TIMES = frozenset({Kind.TIME, Kind.DURATION, Kind.STAMP})
 
@@ -61,8 +63,16 @@ def _refused(file_facts: facts.Facts) -> list[_Row]:
                     continue
             first, second = kinds
             if first is not None and second is not None and _is_refused(op, first, second):
-                rows.append((op, first, second, part.span))
+                rows.append((op, first, second, part.span, _makes_times_of_system(file_facts, code)))
     return rows
+
+
+def _makes_times_of_system(file_facts: facts.Facts, code: Objects) -> bool:
+    return any(
+        (code.classes.get(call.func.dotted) == Kind.TIME or call.func.last_name == "Clock")
+        and all(argument.keyword != "clock_type" for argument in call.args)
+        for call in everything_in(file_facts.body, facts.Call)
+    )
 
 
 def _is_refused(op: str, left: Kind, right: Kind) -> bool:

@@ -139,10 +139,18 @@ def _of_one(run: Run, kind: FieldType, value: Value, shape: _Shape) -> Misfit | 
     if kind.name == "bool":
         return _of_bool(value, shape)
     if kind.name in _TEXTS:
-        return (
-            None if shape.what is _What.TEXT else _wrong("a string", shape, ValueEffect.SENT, "convert it with str()")
-        )
+        return _of_text(value, shape)
     return None if kind.is_primitive else _of_message(run, kind, value, shape)
+
+
+def _of_text(value: Value, shape: _Shape) -> Misfit | None:
+    if shape.what is _What.TEXT:
+        return None
+    number = value.constant
+    if isinstance(number, int | float) and not isinstance(number, bool):
+        cure = f"give it the string that is meant: str() would send '{number}'"
+        return _wrong("a string", shape, ValueEffect.SENT, cure)
+    return _wrong("a string", shape, ValueEffect.SENT, "convert it with str()")
 
 
 def _of_float(value: Value, shape: _Shape) -> Misfit | None:
