@@ -143,6 +143,35 @@ def test_an_interface_that_several_joints_lack_is_told_once(findings):
     robot = ROBOT.replace("<gpio", '<joint name="arm_joint_1"><command_interface name="velocity"/></joint><gpio')
     (found,) = _told(findings, "joints: [elbow_joint, arm_joint_1]", "command_interfaces: [position]", robot=robot)
     assert found.related == ()
+    wants = "'arm' wants the command interface 'elbow_joint/position' (and that of 1 more joint)"
+    assert found.message == f"{wants}, and the hardware there has 'velocity'"
+
+
+@pytest.mark.parametrize(
+    ("commands", "states", "help"),
+    [
+        (
+            "position",
+            "[position, velocity]",  # the controller refuses [position, position]
+            "remove 'velocity' from state_interfaces, or add it to the joint in the description, if the hardware has "
+            "it",
+        ),
+        (
+            "velocity",
+            "[position, velocity]",  # and a trajectory of velocities without the state of them
+            "add it to the joint in the description, if the hardware has it",
+        ),
+        ("position", "[velocity]", "write 'position'"),
+    ],
+)
+def test_what_to_write_instead_of_an_interface(findings, commands: str, states: str, help: str):
+    robot = ROBOT.replace('"velocity"', f'"{commands}"')
+    lines = ("joints: [elbow_joint]", f"command_interfaces: [{commands}]", f"state_interfaces: {states}")
+    (found,) = _told(findings, *lines, robot=robot)
+    assert (found.message.partition(",")[0], found.help) == (
+        "'arm' wants the state interface 'elbow_joint/velocity'",
+        help,
+    )
 
 
 def test_a_file_that_nobody_reads_is_information(findings):

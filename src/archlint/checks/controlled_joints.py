@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.folding import folds, with_other_places, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.counted import counted
 from archlint.finding import Finding, Severity
 from archlint.launch_files.controlled_joints import (
     ForNoJoint,
@@ -62,12 +63,9 @@ def _told(row: Mistake) -> Finding:
             message = f"no robot description here has '{name}', which '{controller}' is given as one of its {parameter}"
             message, help = f"{message}{meant(repr(near))}", f"write '{near}'"
             kind = parameter
-        case UnknownInterface(place=place, controller=controller, joint=joint, name=name, known=known):
+        case UnknownInterface(place=place, controller=controller, name=name):
             kind = "command" if row.commands else "state"
-            message = f"'{controller}' wants the {kind} interface '{joint}/{name}', and the hardware there has "
-            near = nearest(name, known) or (known[0] if len(known) == 1 else "")
-            message += listed([f"'{other}'" for other in known])
-            help = f"write '{near}'" if near else "write one that the description has, or add it there"
+            message, help = _interface(row, kind), _instead(row, kind)
         case ForNoJoint(place=place, controller=controller, parameter=parameter, name=name, joints=joints):
             near = nearest(name, joints) or ""
             message = f"'{controller}' has {parameter} for '{name}', which is none of its joints"
@@ -75,6 +73,25 @@ def _told(row: Mistake) -> Finding:
             help = f"write '{near}'" if near else f"remove them, or name the joint; it has {listed(list(joints))}"
     group = (place.file, controller, kind or name, name)
     return finding("PRM012", place, message, help=help, identity=(controller, name), group=group)
+
+
+def _interface(row: UnknownInterface, kind: str) -> str:
+    more, known = len(row.joints) - 1, listed([f"'{other}'" for other in row.known])
+    of_more = f" (and that of {counted(more, 'more joint')})" if more else ""
+    wants = f"'{row.controller}' wants the {kind} interface '{row.joints[0]}/{row.name}'{of_more}"
+    return f"{wants}, and the hardware there has {known}"
+
+
+def _instead(row: UnknownInterface, kind: str) -> str:
+    """What to write: none that the list has already, for a controller takes no name twice."""
+    free = [name for name in row.known if name not in row.wanted]
+    near = nearest(row.name, free) or (free[0] if len(row.known) == 1 and free else "")
+    if near:
+        return f"write '{near}'"
+    there = f"add it to the joint{'s' if len(row.joints) > 1 else ''} in the description, if the hardware has it"
+    if free:
+        return f"write one that the description has, or {there}"
+    return there if row.is_needed else f"remove '{row.name}' from {kind}_interfaces, or {there}"
 
 
 @folds("PRM012", common=3)

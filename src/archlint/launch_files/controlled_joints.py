@@ -47,14 +47,19 @@ class UnknownJoint:
 
 @dataclass(frozen=True)
 class UnknownInterface:
-    """An interface that a controller wants of a joint, and those that the hardware has there."""
+    """An interface that a controller wants of joints, and those that the hardware has at the first of them."""
 
     place: Place
     controller: str
-    joint: str
+    joints: tuple[str, ...]
     name: str
     known: tuple[str, ...]
+    """Sorted; at least one."""
+    wanted: tuple[str, ...]
+    """All that the same list names: a controller refuses a list that names one twice."""
     commands: bool
+    is_needed: bool
+    """Whether the controller refuses to do without: a trajectory of velocities or efforts alone needs both states."""
 
 
 @dataclass(frozen=True)
@@ -178,16 +183,23 @@ def _for_no_joint(
 def _unknown_interfaces(
     workspace: WorkspaceIndex, file: str, controller: str, section: ParameterSection, joints: tuple[str, ...]
 ) -> Iterator[UnknownInterface]:
+    commanded = {name for entry in section.entries if entry.path == ("command_interfaces",) for name in _wanted(entry)}
+    needs_both = bool(commanded & {"velocity", "effort"}) and "position" not in commanded
     for entry in section.entries:
         kind = entry.path[0]
         if kind not in _INTERFACES:
             continue
-        for joint in joints if len(entry.path) == 1 else [name for name in joints if name == entry.path[1]]:
-            known = _interfaces(workspace, joint, kind == "command_interfaces")
-            for name in _wanted(entry):
-                if known and name not in known:
-                    place = Place(file, *entry.span)
-                    yield UnknownInterface(place, controller, joint, name, known, kind == "command_interfaces")
+        commands = kind == "command_interfaces"
+        of = joints if len(entry.path) == 1 else tuple(name for name in joints if name == entry.path[1])
+        known = {joint: there for joint in of if (there := _interfaces(workspace, joint, commands))}
+        wanted = _wanted(entry)
+        for name in dict.fromkeys(wanted):
+            lacking = tuple(joint for joint, there in known.items() if name not in there)
+            if lacking:
+                there = known[lacking[0]]
+                place = Place(file, *entry.span)
+                is_needed = needs_both and not commands
+                yield UnknownInterface(place, controller, lacking, name, there, tuple(wanted), commands, is_needed)
 
 
 def _wanted(entry: ParameterEntry) -> list[str]:
