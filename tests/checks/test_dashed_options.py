@@ -54,6 +54,19 @@ def test_all_packages_of_one_template_are_one_finding(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
+    ("packages", "told"),
+    [("[package_name]", 0), ("find_packages(exclude=['test'])", 2)],  # the second is what Humble writes
+)
+def test_a_package_of_an_old_template_beside_one_of_a_later(tmp_path, monkeypatch, packages: str, told: int):
+    monkeypatch.chdir(tmp_path)
+    for name, setup in (("arm", FOXY), ("robot", FOXY.replace("[package_name]", packages))):
+        write_files(tmp_path / name, {"setup.cfg": OLD, "package.xml": manifest(name), "setup.py": setup})
+    write_files(tmp_path, {"archlint.toml": 'select = ["PKG010"]'})
+    findings = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert len({row.place.file for told_of in findings for row in (told_of, *told_of.related)}) == told
+
+
+@pytest.mark.parametrize(
     ("command", "told"),
     [
         ("ament_python_install_package(robot)", 0),  # CMake builds the package, and nobody hands setuptools the file

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.analysis.kept import once
 from archlint.analysis.pinned import names_no_distro
 from archlint.finding import Place
 from archlint.records import dataclass
@@ -50,7 +51,7 @@ def dashed_options(workspace: WorkspaceIndex) -> Iterator[DashedOption]:
             continue
         if package.build_type == "ament_cmake" and not _reads_table(workspace, package.name):
             continue
-        if names_no_distro(workspace) and _is_of_old_template(workspace, folder):
+        if names_no_distro(workspace) and not _has_later(workspace) and _has(workspace, folder, _ALL_OF_OLD_TEMPLATE):
             continue
         if _pins_old_setuptools(workspace, folder):
             continue
@@ -75,16 +76,23 @@ def _pins_old_setuptools(workspace: WorkspaceIndex, folder: str) -> bool:
 
 
 _ALL_OF_OLD_TEMPLATE = re.compile(r"\bpackages=\[package_name\],")
+_ALL_OF_LATER_TEMPLATE = re.compile(r"\bpackages=find_packages\(exclude=\['test'\]\),")
+"""What ``ros2 pkg create`` writes: of Foxy, which lists the one package by name, and since Humble.  Where nothing names
+a distribution and all packages are of the first kind, the workspace may be for Foxy, whose setuptools says nothing.
+
+Source: ros2pkg/resource/ament_python/setup.py.em.
+"""
 
 
-def _is_of_old_template(workspace: WorkspaceIndex, folder: str) -> bool:
-    """Whether ``ros2 pkg create`` of Foxy made a package: its setup.py lists the one package by name.  Where nothing
-    names a later distribution the workspace may be for that one, whose setuptools says nothing.
+@once
+def _has_later(workspace: WorkspaceIndex) -> bool:
+    """Whether a package of a workspace was made with Humble or later: then all of them are built there."""
+    return any(_has(workspace, folder, _ALL_OF_LATER_TEMPLATE) for folder in workspace.manifests)
 
-    Source: ros2pkg/resource/ament_python/setup.py.em, which has ``find_packages(exclude=['test'])`` since Humble.
-    """
+
+def _has(workspace: WorkspaceIndex, folder: str, template: re.Pattern[str]) -> bool:
     text = workspace.tree.text(posixpath.normpath(posixpath.join(folder, "setup.py")))
-    return text is not None and _ALL_OF_OLD_TEMPLATE.search(text) is not None
+    return text is not None and template.search(text) is not None
 
 
 def _reads_table(workspace: WorkspaceIndex, package: str) -> bool:
