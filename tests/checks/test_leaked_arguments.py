@@ -172,3 +172,32 @@ def test_an_argument_that_only_what_nothing_runs_reads(findings, shown: str, tol
     panel = f'<launch><arg name="rviz" default="maybe"/>{shown}</launch>'
     launch = include("driver", rviz="false") + include("panel")
     assert bool(findings("LCH009", launch, **FILES | {"launch/panel.launch.xml": panel})) is told
+
+
+@pytest.mark.parametrize(
+    ("actions", "told"),
+    [
+        ("LogInfo(msg=['with RViz: ', LaunchConfiguration('rviz')])", False),
+        (
+            "LogInfo(msg=['with RViz: ', LaunchConfiguration('rviz')]),\n"
+            "        SetLaunchConfiguration('seen', LaunchConfiguration('rviz'))",
+            True,
+        ),
+        ("LogInfo(msg='no word of it')", True),  # nobody knows who reads it
+    ],
+)
+def test_an_argument_that_only_a_log_message_shows(findings, actions: str, told: bool):
+    panel = f"""\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo, SetLaunchConfiguration
+from launch.substitutions import LaunchConfiguration
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('rviz', default_value='maybe'),
+        {actions},
+    ])
+"""
+    launch = include("driver", rviz="false") + include("panel").replace(".xml", ".py")
+    assert bool(findings("LCH009", launch, **FILES | {"launch/panel.launch.py": panel})) is told

@@ -109,6 +109,12 @@ class GivenArguments:
         self._result.read_on.setdefault(given.place, action)
         self._note_leak(name, value, given.before, given.place, action, file, given.include)
 
+    def note_shown(self, name: str, value: Value | None) -> None:
+        """A log message shows a value, and nothing follows from that."""
+        for row in self._in_vain.get(name, ()):
+            if row.value is value:
+                self._note_use(row, dormant=True)
+
     def note_unread_include(self, configurations: Mapping[str, Value]) -> None:
         """An include is visited whose file is not here: it may read everything that is set now."""
         for name, given in self._given.items():
@@ -164,7 +170,8 @@ class GivenArguments:
             self._in_vain.setdefault(leak.name, []).append(_InVain(value, leak))
 
     def _note_use(self, row: _InVain, dormant: bool) -> None:
-        """Something reads a value that has leaked.  It matters to nobody where only what nothing runs does so."""
+        """Something reads a value that has leaked.  It matters to nobody where only what nothing runs does so, and what
+        shows it."""
         leaked = self._result.leaked
         if not dormant:
             row.is_read = True
