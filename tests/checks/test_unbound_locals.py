@@ -402,3 +402,60 @@ def test_variables_of_the_file_that_a_function_does_not_declare_global(judge: Ju
 def test_the_first_read_of_a_call_is_told(judge: Judge):
     (finding,) = judge("API005", _node("print(", "    value[0],  # here", "    value[1],", ")", "value = [1]"))
     assert finding.help == "give value a value before"
+
+
+CHOICE = ("if message.data == 'left':", "    side = 1", "elif message.data == 'right':", "    side = 2", "else:")
+WARNS = "    self.get_logger().warning('neither')"
+
+
+def test_a_branch_that_goes_on_to_the_read(judge: Judge):
+    (finding,) = judge("API005", _node(*CHOICE, WARNS, "print(side)  # here"))
+    assert finding.severity is Severity.WARNING
+    assert finding.message == (
+        "'side' has no value here where line 19 has run, since that branch goes on: this line fails with an "
+        "UnboundLocalError then"
+    )
+    assert finding.help == "give side a value in that branch, or before the if"
+    assert [row.place.line for row in finding.related] == [15, 19]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        (*CHOICE, WARNS, "for number in range(3):", "    print(number)", "print(side)  # here"),
+        ("if message.data:", WARNS, "else:", "    side = 1", "print(side)  # here"),
+        ("if message.data:", "    side = 1", "elif self.sub:", WARNS, "else:", "    side = 2", "print(side)  # here"),
+        (*CHOICE, "    pass", "print(side)  # here"),
+        (*CHOICE, WARNS, "    return", "print(side)"),
+        (*CHOICE, "    raise ValueError(message.data)", "print(side)"),
+        (*CHOICE, "    self.parser.error('neither')", "print(side)"),
+        (*CHOICE, "    self.print_usage()", "print(side)"),
+        (*CHOICE[:-1], "print(side)"),  # nobody says that there is anything else
+        (*CHOICE, WARNS, "if message.data:", "    print(side)"),
+        (*CHOICE, WARNS, "if not message.data:", "    return", "print(side)"),
+        (*CHOICE, WARNS, "print(message.data and side)"),
+        ("side = 0", *CHOICE, WARNS, "print(side)"),
+        (*CHOICE, WARNS, "try:", "    print(side)", "except UnboundLocalError:", "    pass"),
+        (*CHOICE, WARNS, "print('side' in locals() and side, side)"),
+        ("if message.data not in ('left', 'right'):", "    return", *CHOICE, WARNS, "print(side)"),
+        ("for _ in range(2):", *(f"    {line}" for line in (*CHOICE, WARNS, "print(side)"))),  # the round before has
+    ],
+)
+def test_branches_and_what_follows(judge: Judge, lines: tuple[str, ...]):
+    judge("API005", _node(*lines))
+
+
+def test_a_branch_that_a_constant_switches_off(judge: Judge):
+    lines = ("if USE_LIDAR:", "    side = 1", "else:", WARNS, "print(side)")
+    judge("API005", _node(*lines).replace("limit = 3", "USE_LIDAR = True"))
+
+
+def test_a_branch_that_calls_what_always_raises(judge: Judge):
+    refuse = "\n\ndef refuse(text):\n    raise ValueError(text)\n"
+    judge("API005", _node(*CHOICE, "    refuse(message.data)", "print(side)") + refuse)
+
+
+def test_a_function_beside_one_that_asks_for_variables(judge: Judge):
+    """And a method that is only called like ``exec()``, as that of Qt is."""
+    beside = "\n\ndef show(app):\n    return app.exec() if 'app' in locals() else None\n"
+    judge("API005", _node(*CHOICE, WARNS, "print(side)  # here", "print(heigth)  # here") + beside)

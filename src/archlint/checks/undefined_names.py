@@ -80,7 +80,8 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
                 span = getattr(source_code(system).statement_at(local.place), "span", None)
                 leader = leaders.setdefault((local.place.file, (_EARLY, span)), local.name)
                 told = replace(told, group=(local.place.file, leader, _EARLY))
-            yield from unless_uncalled(system, told)
+            if local.branch is None or any(unless_uncalled(system, replace(told, place=local.branch))):
+                yield from unless_uncalled(system, told)
 
 
 def _function_around(workspace: WorkspaceIndex, read: Undefined | UnboundLocal) -> Place | None:
@@ -103,7 +104,9 @@ def _outside_of_classes(method: StrayMethod) -> Finding:
 
 
 def _of_unbound(workspace: WorkspaceIndex, read: UnboundLocal) -> Finding:
-    return _too_early(workspace, read) if read.caught is None else _past_handler(read)
+    if read.caught is not None:
+        return _past_handler(read, read.caught)
+    return _too_early(workspace, read) if read.branch is None else _past_branch(read, read.branch)
 
 
 def _too_early(workspace: WorkspaceIndex, read: UnboundLocal) -> Finding:
@@ -169,21 +172,32 @@ def _hiding(read: UnboundLocal) -> Finding:
     )
 
 
-def _past_handler(read: UnboundLocal) -> Finding:
+def _past_handler(read: UnboundLocal, caught: Place) -> Finding:
     """A variable that has no value where what an ``except`` handles has happened."""
-    assert read.caught is not None
+    cause = f"where line {read.failing} has failed, since the except on line {caught.line} goes on"
+    cure = f"{read.way_out} in that except, or give {read.name} a value there"
+    return _without_value_then(read, caught, cause, cure)
+
+
+def _past_branch(read: UnboundLocal, branch: Place) -> Finding:
+    """A variable to which one branch of an ``if`` gives no value."""
+    cause = f"where line {branch.line} has run, since that branch goes on"
+    return _without_value_then(read, branch, cause, f"give {read.name} a value in that branch, or before the if")
+
+
+def _without_value_then(read: UnboundLocal, past: Place, cause: str, cure: str) -> Finding:
+    """A variable that has no value where something has run that leads past its assignment."""
     told = finding(
         "API005",
         read.place,
-        f"'{read.name}' has no value here where line {read.failing} has failed, since the except on line "
-        f"{read.caught.line} goes on: this line fails with an UnboundLocalError then",
-        help=f"{read.way_out} in that except, or give {read.name} a value there",
+        f"'{read.name}' has no value here {cause}: this line fails with an UnboundLocalError then",
+        help=cure,
         related=[
             Related(read.assigned, "this is where it would have got one"),
-            Related(read.caught, "it goes on to that line"),
+            Related(past, "it goes on to that line"),
         ],
         identity=(read.name, "caught"),
-        group=(read.place.file, str(read.caught.line), PAST_HANDLER),
+        group=(read.place.file, str(past.line), PAST_HANDLER),
     )
     return replace(told, severity=Severity.WARNING)
 
@@ -200,7 +214,7 @@ _ADDED = "local"
 """The group of findings about a variable that ``+=`` makes one of the function."""
 _DECLARE = "write `global "
 PAST_HANDLER = "caught"
-"""The group of findings about what one ``except`` leaves without a value."""
+"""The group of findings about what one ``except``, or one branch, leaves without a value."""
 
 
 def _finding(workspace: WorkspaceIndex, read: Undefined) -> Finding:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.python_code.class_chains import classes_of
-from archlint.python_code.offered_names import MAKES_NAMES
+from archlint.python_code.offered_names import may_make_names
 from archlint.python_code.own_calls import bindings_of
 from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
@@ -28,7 +28,7 @@ def calls_of_bare_super(workspace: WorkspaceIndex) -> Iterator[Place]:
 
 @kept_for_each_file
 def _bare_super_calls(code: facts.Facts) -> list[facts.Span]:
-    if "super" in bindings_of(code) or not MAKES_NAMES.isdisjoint(code.names):
+    if "super" in bindings_of(code) or may_make_names(code):
         return []
     forgiven = tried_for(code.body, {"TypeError"})
     calls = (call for cls in classes_of(code) for call in bare_super_calls(cls))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.python_code.class_chains import ClassInFile, classes_of, files_with, targets_of
-from archlint.python_code.offered_names import MAKES_NAMES
+from archlint.python_code.offered_names import may_make_names
 from archlint.python_code.own_calls import assigned_attributes, bindings_of, class_meant_by
 from archlint.python_code.tried_code import tried_for
 from archlint.records import dataclass
@@ -51,7 +51,7 @@ class CallOfObject:
 @kept_for_each_file
 def calls_of_objects(code: facts.Facts) -> list[CallOfObject]:
     """Every such call in a file."""
-    if not MAKES_NAMES.isdisjoint(code.names):
+    if may_make_names(code):
         return []
     tried = {error: tried_for(code.body, {error}) for error in ("AttributeError", "TypeError")}
     rows = []

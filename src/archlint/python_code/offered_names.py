@@ -9,12 +9,12 @@ from archlint.analysis.kept import kept_for_each_file
 from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import given_by
-from archlint.syntax.parts import everything_in, once_for, parts_of
+from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
-MAKES_NAMES = frozenset({"__builtins__", "exec", "execfile", "globals", "locals", "vars"})
+_MAKES_NAMES = frozenset({"__builtins__", "exec", "execfile", "globals", "locals", "vars"})
 """What code may bind any name with."""
 _INTERFACES = frozenset({"action", "msg", "srv"})
 _DEPTH = 8
@@ -32,6 +32,31 @@ class Starred:
     def has(self, name: str) -> bool:
         """Whether a name may be among them."""
         return name in self.names or (self.classes and name[:1].isupper())
+
+
+def may_make_names(code: facts.Facts) -> bool:
+    """Whether a file may bind any name, with ``exec()`` say."""
+    return bool(makers_of_names(code))
+
+
+@once_for
+def makers_of_names(code: facts.Facts) -> list[facts.Expr]:
+    """Where a file uses what may bind any name."""
+    return [] if _MAKES_NAMES.isdisjoint(code.names) else makers_in(code.body)
+
+
+def makers_in(body: Sequence[facts.Base]) -> list[facts.Expr]:
+    """The uses of what may bind any name: not of a method that is called like that, as ``exec()`` of Qt, nor
+    ``vars(arguments)``, which looks at an object."""
+    of_objects = {
+        Itself[facts.Expr](call.func)
+        for call in everything_in(body, facts.Call)
+        if call.func.variable == "vars" and call.args
+    }
+    names = (name for name in everything_in(body, facts.Name) if name.id in _MAKES_NAMES)
+    asked = (part for part in everything_in(body, facts.Attribute) if part.attr in _MAKES_NAMES)
+    of_builtins = (part for part in asked if part.value.variable == "builtins")
+    return [*(name for name in names if Itself[facts.Expr](name) not in of_objects), *of_builtins]
 
 
 def starred(workspace: WorkspaceIndex, file: str, code: facts.Facts, depth: int = _DEPTH) -> Starred | None:
@@ -58,7 +83,7 @@ def offers(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     """Whether a file may have a name at its top level; true where that cannot be told."""
     code = workspace.facts_at(file)
     own = _own_names(workspace, file)
-    if code is None or own is None or not MAKES_NAMES.isdisjoint(code.names) or "__getattr__" in own:
+    if code is None or own is None or may_make_names(code) or "__getattr__" in own:
         return True
     brought = starred(workspace, file, code)
     return brought is None or brought.has(name) or name in own
@@ -95,4 +120,14 @@ def bound_in(body: Sequence[facts.Base]) -> Iterator[str]:
             yield from given_by(part)
 
 
-__all__ = ["MAKES_NAMES", "Starred", "bound_in", "offers", "own_names", "starred", "stars"]
+__all__ = [
+    "Starred",
+    "bound_in",
+    "makers_in",
+    "makers_of_names",
+    "may_make_names",
+    "offers",
+    "own_names",
+    "starred",
+    "stars",
+]

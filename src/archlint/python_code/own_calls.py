@@ -24,7 +24,7 @@ from archlint.python_code.class_chains import (
     methods_of,
     targets_of,
 )
-from archlint.python_code.offered_names import MAKES_NAMES, stars
+from archlint.python_code.offered_names import may_make_names, stars
 from archlint.python_code.tried_code import tried_for
 from archlint.records import dataclass
 from archlint.syntax import facts
@@ -182,7 +182,7 @@ class OwnCall:
 @kept_for_each_file
 def own_calls_of(code: facts.Facts) -> list[OwnCall]:
     """The calls of functions and classes that the file defines or imports, and those of methods of ``self``."""
-    if not MAKES_NAMES.isdisjoint(code.names):
+    if may_make_names(code):
         return []
     forgiven = tried_for(code.body, {"TypeError"})
     around = {Itself(call): number for number, cls in enumerate(classes_of(code)) for call in _on_self(cls)}

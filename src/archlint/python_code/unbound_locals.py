@@ -1,6 +1,7 @@
 """Local variables that are read where nothing has given them a value: an UnboundLocalError.
 
-Either no way leads to the read past an assignment, or the one in a ``try`` fails and its ``except`` goes on there.
+Either no way leads to the read past an assignment, or the one in a ``try`` fails and its ``except`` goes on there, or
+a branch without one does (``branch_values.py``).
 """
 
 from __future__ import annotations
@@ -14,8 +15,9 @@ from archlint.analysis.kept import kept_for_each_file
 from archlint.analysis.source_code import code_of
 from archlint.place import Place
 from archlint.python_code.block_bindings import after, bound_at, is_plain, read_at
+from archlint.python_code.branch_values import Reading, past_branch
 from archlint.python_code.likely_failures import failing_before
-from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, stars
+from archlint.python_code.offered_names import bound_in, makers_in, makers_of_names, own_names, stars
 from archlint.python_code.raising_helpers import is_caught_inside, never_returns
 from archlint.records import dataclass
 from archlint.syntax import facts
@@ -58,6 +60,8 @@ class UnboundLocal:
     """The line whose failure leads to that ``except``."""
     way_out: WayOut = "return"
     """How the code leaves that ``except`` without coming to the read."""
+    branch: Place | None = None
+    """Where the branch begins that leads to it without a value, if the others have given the variable one."""
     hidden: str = ""
     """What of the file has the same name, if it is a class or a function: nobody can mean it in this function."""
     own_assignment: bool = False
@@ -74,6 +78,7 @@ class _Row:
     caught: facts.Span | None = None
     failing: int = 0
     way_out: WayOut = "return"
+    branch: facts.Span | None = None
     hidden: str = ""
     own_assignment: bool = False
     of_file: bool = False
@@ -89,8 +94,11 @@ def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
             caught = None if row.caught is None else Place(path, *row.caught)
             if caught is not None and _never_goes_on(workspace, Place(path, *row.span), caught):
                 continue
+            if row.branch is not None and _branch_never_goes_on(workspace, Place(path, *row.span), row.branch):
+                continue
             assigned = Place(path, *row.assigned)
             read = Place(path, *row.span)
+            branch = None if row.branch is None else Place(path, *row.branch)
             yield UnboundLocal(
                 read,
                 row.name,
@@ -98,6 +106,7 @@ def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
                 caught,
                 row.failing,
                 row.way_out,
+                branch,
                 row.hidden,
                 row.own_assignment,
                 row.of_file,
@@ -119,17 +128,39 @@ def _never_goes_on(workspace: WorkspaceIndex, read: Place, caught: Place) -> boo
     )
 
 
+def _branch_never_goes_on(workspace: WorkspaceIndex, read: Place, branch: facts.Span) -> bool:
+    """Whether a branch that begins at a place calls what always raises."""
+    function = code_of(workspace).function_at(read)
+    if function is None:
+        return False
+    ends = never_returns(workspace, read.file, function)
+    chains = parts_of(function.body, facts.If)
+    bodies = (body for chain in chains for body in (chain.body, chain.orelse) if body and branch == _span(body[0]))
+    return any(map(ends, (part for body in bodies for part in parts_of(body))))
+
+
+def _span(statement: facts.Stmt) -> facts.Span | None:
+    return None if isinstance(statement, facts.Global) else statement.span
+
+
 @kept_for_each_file
 def _rows(code: facts.Facts) -> list[_Row]:
-    if not MAKES_NAMES.isdisjoint(code.names):
-        return []
-    known = None if stars(code) else own_names(code).union(dir(builtins))
-    rows = [row for function in everything_in(code.body, facts.Function) for row in _in_function(function, known)]
+    known = None if stars(code) or makers_of_names(code) else own_names(code).union(dir(builtins))
+    rows = [row for function in _functions(code) for row in _in_function(function, known)]
     hidden, variables = (_defined_in(code), _variables_of(code)) if rows else ({}, frozenset())
     return [
-        row if row.caught else replace(row, hidden=hidden.get(row.name, ""), of_file=row.name in variables)
+        row
+        if row.caught or row.branch
+        else replace(row, hidden=hidden.get(row.name, ""), of_file=row.name in variables)
         for row in rows
     ]
+
+
+def _functions(code: facts.Facts) -> Iterator[facts.Function]:
+    """The functions of a file but for those that ask which variables there are: ``'voltage' in locals()``."""
+    for function in everything_in(code.body, facts.Function):
+        if not makers_of_names(code) or not makers_in(function.body):
+            yield function
 
 
 def _defined_in(code: facts.Facts) -> dict[str, str]:
@@ -150,7 +181,7 @@ def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iter
     """The first such read of each variable; ``known`` are the names that the file can read, None for any."""
     graph = graph_of(function.body)
     bound = _bound(function, graph)
-    reads: dict[str, list[tuple[Block, facts.Name, bool]]] = {}
+    reads: dict[str, list[Reading]] = {}
     attempts = parts_of(function.body, facts.Try) if bound else ()
     expected = {part for attempt in attempts for part in _expected(attempt)}
     for block in graph.blocks if bound else ():
@@ -179,6 +210,10 @@ def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iter
                 way_out = _way_out(function, attempt, read)
                 yield _Row(name, read.span, assigned, handler.span, failing, way_out)
                 break
+        else:
+            left = past_branch(graph, function, blocks, rows)
+            if left is not None:
+                yield _Row(name, left[0].span, min(span for _, span in bound[name]), branch=left[1])
 
 
 def _way_out(function: facts.Function, attempt: facts.Try, read: facts.Name) -> WayOut:
@@ -248,7 +283,7 @@ def _is_only_added_to(rows: Sequence[tuple[Block, facts.Span]]) -> bool:
     return all(isinstance(block.statement, facts.Augmented) for block, _ in rows)
 
 
-def _never_before(bound: Collection[Block], rows: Collection[tuple[Block, facts.Name, bool]]) -> facts.Name | None:
+def _never_before(bound: Collection[Block], rows: Collection[Reading]) -> facts.Name | None:
     """The first read to which no way leads past an assignment."""
     later = after(bound)
     for block, name, _ in rows:
@@ -258,7 +293,7 @@ def _never_before(bound: Collection[Block], rows: Collection[tuple[Block, facts.
 
 
 def _past_handler(
-    graph: Graph, attempt: facts.Try, bound: Collection[Block], rows: Sequence[tuple[Block, facts.Name, bool]]
+    graph: Graph, attempt: facts.Try, bound: Collection[Block], rows: Sequence[Reading]
 ) -> tuple[facts.Name, facts.Handler, int] | None:
     """The read to which a handler surely leads, where what it handles keeps the variable from its only assignment, and
     the line that fails then."""

@@ -16,7 +16,7 @@ from archlint.launch.files import GENERATE
 from archlint.place import Place
 from archlint.python_code.evaluated_hints import evaluates_hints, hints_of
 from archlint.python_code.left_blanks import is_left_blank, lines_looked_at
-from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, starred
+from archlint.python_code.offered_names import bound_in, makers_of_names, own_names, starred
 from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
@@ -265,17 +265,19 @@ def _unbound_with_names(code: facts.Facts) -> list[_Known]:
 
 def _asked_for(code: facts.Facts) -> frozenset[str] | None:
     """The names of which code asks whether there are such, ``"name" in globals()``; None where it may bind any name."""
-    makers = MAKES_NAMES.intersection(code.names)
+    makers = makers_of_names(code)
     if not makers:
         return frozenset()
     asked = [name for part in everything_in(code.body, facts.Compare) if (name := _asked_in(part)) is not None]
-    uses = [part for part in everything_in(code.body, facts.Name) if part.id in MAKES_NAMES]
-    return frozenset(asked) if makers == {"globals"} and len(asked) == len(uses) else None
+    asks = all(use.variable in ("globals", "locals") for use in makers)
+    return frozenset(asked) if asks and len(asked) == len(makers) else None
 
 
 def _asked_in(part: facts.Compare) -> str | None:
     match part:
-        case facts.Compare(facts.Literal(str(name)), ["in" | "not in"], [facts.Call(facts.Name("globals"), [])]):
+        case facts.Compare(
+            facts.Literal(str(name)), ["in" | "not in"], [facts.Call(facts.Name("globals" | "locals"), [])]
+        ):
             return name
     return None
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
-from archlint.python_code.offered_names import MAKES_NAMES
+from archlint.python_code.offered_names import may_make_names
 from archlint.records import dataclass
 from archlint.ros.python_modules import key_of
 from archlint.syntax import facts
@@ -106,7 +106,7 @@ def _modules_of(code: facts.Facts) -> tuple[bool, frozenset[str]]:
     names += [part.module for part in everything_in(code.body, facts.ImportFrom) if not part.level]
     tops = frozenset(name.partition(".")[0] for name in names if name.rpartition(".")[2] not in _INTERFACES)
     imported = {name for part in everything_in(code.body, facts.ImportFrom) for name, _ in part.names}
-    return _INITIALISES in {*code.names, *imported} or not MAKES_NAMES.isdisjoint(code.names), tops
+    return _INITIALISES in {*code.names, *imported} or may_make_names(code), tops
 
 
 @kept_for_each_file
@@ -117,7 +117,7 @@ def _calls_init_in_main_alone(code: facts.Facts) -> bool:
     names = {part.id for part in everything_in(rest, facts.Name)}
     names |= {part.attr for part in everything_in(rest, facts.Attribute)}
     names |= {name for part in everything_in(rest, facts.ImportFrom) for name, _ in part.names}
-    return names.isdisjoint({_INITIALISES, _MAIN}) and MAKES_NAMES.isdisjoint(code.names)
+    return names.isdisjoint({_INITIALISES, _MAIN}) and not may_make_names(code)
 
 
 def _is_main(part: facts.Statement) -> bool:
