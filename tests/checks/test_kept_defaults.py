@@ -13,7 +13,7 @@ from rclpy.node import Node
 
 
 class Layer:
-    def __init__(self, size, attention=False, drop=0.0, path=None):
+    def __init__(self, size, attention=False, drop=0.0, path=None, mode='flat'):
         self.size = size
 {inside}
 
@@ -44,6 +44,9 @@ def _layer(inside: str, call: str = "Layer(3)") -> str:
         "if not attention:\n    return\nself.block = Block(size)",
         "self.block = Block(drop) if drop > 0.0 else None",
         "if path is not None and size:\n    self.block = Block(path)",
+        "if attention is True:\n    self.block = Block(size)",
+        "if attention is not False:\n    self.block = Block(size)",
+        "if mode == 'deep':\n    self.block = Block(size)",
     ],
 )
 def test_a_branch_that_the_default_leaves_out(judge: Judge, inside: str):
@@ -58,6 +61,9 @@ def test_a_branch_that_the_default_leaves_out(judge: Judge, inside: str):
         ("if attention:\n    self.block = Block(size)  # here", "Layer(*[3, True])"),
         ("if attention:\n    self.block = Block(size)  # here", "Layer(3, **{'attention': True})"),
         ("if not attention:\n    self.block = Block(size)  # here", "Layer(3)"),
+        ("if attention is False:\n    self.block = Block(size)  # here", "Layer(3)"),
+        ("if mode == 'flat':\n    self.block = Block(size)  # here", "Layer(3)"),
+        ("if mode == 'deep':\n    self.block = Block(size)  # here", "Layer(3, mode='deep')"),
         ("if attention or size:\n    self.block = Block(size)  # here", "Layer(3)"),
         ("attention = size > 2\nif attention:\n    self.block = Block(size)  # here", "Layer(3)"),
         ("self.block = None if drop > 0.0 else Block(size)  # here", "Layer(3)"),

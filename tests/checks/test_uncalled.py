@@ -230,6 +230,8 @@ def generate_launch_description():
     slow(None, 1.0)
     return launch.LaunchDescription([])
 """
+TRIED = HELPERS + "\n\ndef main():\n    pass\n\n\nif __name__ == '__main__':\n    slow(None, 1.0)\n"
+TRIED_PROGRAM = SETUP.replace(":main']", ":main', 'try = car.helpers:main']")
 USES_HELPERS = CAR.replace("car.brake import Brake", "car.brake import Brake\nfrom car.helpers import slow")
 
 
@@ -249,6 +251,8 @@ USES_HELPERS = CAR.replace("car.brake import Brake", "car.brake import Brake\nfr
         ),
         ({"start.launch.py": "import launch\nfrom car.helpers import slow\n\n\n" + STARTS}, True),
         ({"car/drive.py": CAR.replace("self.brake.press()", "slow = self.brake.press()")}, False),
+        ({"car/drive.py": USES_HELPERS.replace("import slow", "import slower"), "car/helpers.py": TRIED}, False),
+        ({"setup.py": TRIED_PROGRAM, "car/drive.py": USES_HELPERS, "car/helpers.py": TRIED}, True),
         ({"car/helpers.py": HELPERS.replace("def slow(", "@noted\ndef slow(")}, True),
         ({"setup.py": SETUP.replace(":main']", ":main', 'slow = car.helpers:slow']")}, True),
         ({"setup.py": LIBRARY}, True),
@@ -264,6 +268,8 @@ USES_HELPERS = CAR.replace("car.brake import Brake", "car.brake import Brake\nfr
         "a launch file has its name in a text",
         "a launch file calls it",
         "another file has a variable of that name",
+        "the author of its module tries it out",
+        "its module is a program, too",
         "a decorator may note it",
         "a program",
         "a library",

@@ -69,7 +69,11 @@ def _node(*lines: str) -> str:
         ("print(Imu())", "", "write `from sensor_msgs.msg import Imu`"),
         ("print(GoalStatus())", "", "write `from action_msgs.msg import GoalStatus`"),  # actionlib_msgs is of ROS 1
         ("print(Pose())", "", "write `from geometry_msgs.msg import Pose`"),  # turtlesim's is for those who use it
-        ("print(JointTrajectory())", "", "define it, or remove the line"),  # of two packages
+        (
+            "print(JointTrajectory())",
+            "",
+            "write `from trajectory_msgs.msg import JointTrajectory`",
+        ),  # no action is made
         ("name = raw_input()", "; did you mean 'input'?", "write input"),
         ("print(double(self.limit))", "; did you mean 'float'?", "write float"),
         ("self.limit = true", "; did you mean 'True'?", "write True"),
@@ -253,6 +257,29 @@ def test_a_name_that_no_single_module_beside_offers(
 def test_a_function_that_would_call_itself_for_ever_is_not_meant(judge: Judge) -> None:
     (finding,) = judge("API005", _node("pass") + "\n\ndef test_arm_made():\n    return testArmMade()  # here\n")
     assert finding.help == "define it, or remove the line"
+
+
+@pytest.mark.parametrize(
+    ("read", "help"),
+    [
+        ("print(Move.Request())", "write `from robot.srv import Move`"),
+        ("print(Move())", "write `from robot.msg import Move`"),
+        ("print(Stop.Request())", "define it, or remove the line"),
+    ],
+)
+def test_the_kind_of_interface_that_is_used(findings: Callable[..., list[Finding]], read: str, help: str) -> None:
+    interfaces = '"msg/Move.msg" "msg/Stop.msg" "srv/Move.srv"'
+    files = {
+        "msg/Move.msg": "uint8 id\n",
+        "msg/Stop.msg": "uint8 id\n",
+        "srv/Move.srv": "---\n",
+        "robot/mover.py": "from robot.msg import Move\n\nprint(Move())\n",
+        "robot/talker.py": _node(read),
+        "package.xml": CMAKE,
+        "CMakeLists.txt": f"rosidl_generate_interfaces(robot {interfaces})\n",
+    }
+    (finding,) = findings("API005", **files)
+    assert finding.help == help
 
 
 def test_an_interface_of_the_workspace_that_is_not_imported(findings: Callable[..., list[Finding]]) -> None:
@@ -589,6 +616,12 @@ def test_an_except_for_a_timeout(judge: Judge, imported: str, meant: str):
     source = f"{imported}{_node('try:', '    self.publish()', 'except timeout:  # here', '    pass')}"
     (told,) = judge("API005", source)
     assert told.help == f"write `except {meant}:`"
+
+
+def test_a_node_that_is_destroyed_by_another_name_than_it_is_spun_by(judge: Judge):
+    spins = "node = Talker()\n    rclpy.spin(node)\n    talker.destroy_node()  # here"
+    (told,) = judge("API005", _node("pass").replace("rclpy.spin(Talker())", spins))
+    assert told.help == "write node"
 
 
 @pytest.mark.parametrize("spins", ["rclpy.spin(Imu())  # here", "node = Imu()  # here\n    rclpy.spin(node)"])

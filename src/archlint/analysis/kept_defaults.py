@@ -25,6 +25,9 @@ _ORDERS: dict[str, Callable[[float, float], bool]] = {
 }
 
 
+_SAME = {"is": True, "==": True, "is not": False, "!=": False}
+
+
 def needs_another_default(workspace: WorkspaceIndex | None, place: Place) -> bool:
     """Whether a function gets to a place only where a parameter has another value than its default, and nobody gives
     it one."""
@@ -73,6 +76,10 @@ def _truth(part: facts.Expr, defaults: dict[str, facts.Literal]) -> bool | None:
                 return None
             if other is None or value is None:
                 return {"is": value is other, "==": value is other, "is not": value is not other}.get(op)
+            if isinstance(value, bool) and isinstance(other, bool) and op in _SAME:
+                return (value is other) is _SAME[op]
+            if isinstance(value, str) and isinstance(other, str) and op in ("==", "!="):
+                return (value == other) is _SAME[op]
             if isinstance(value, (int, float)) and isinstance(other, (int, float)) and op in _ORDERS:
                 return _ORDERS[op](value, other)
     return None

@@ -8,8 +8,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept, kept_for_each_file
+from archlint.analysis.uncalled_methods import is_tried_alone
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, names_in
+from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -19,6 +21,7 @@ _HOPS = 3
 """Through how many functions that call each other it is looked for one that something calls."""
 _PATH = re.compile(r"[\w.:]+")
 """What may name a function in a text: ``car.drive:main``."""
+_AS_PROGRAM = "__main__"
 _BY_OTHERS = frozenset({"main", "generate_launch_description"})
 """Functions that others call by their names."""
 
@@ -49,7 +52,10 @@ def _are_idle(workspace: WorkspaceIndex, file: str, name: str, depth: int) -> It
         by_text = workspace.code.kind_of(other) == "python"  # in a launch file it is that of an executable
         for owner, names, texts in _uses(workspace, other) or ():
             if (name in names or (by_text and name in texts)) and owner != name:
-                yield owner not in ("", *_BY_OTHERS) and depth > 0 and _is_idle(workspace, other, owner, depth - 1)
+                if owner == _AS_PROGRAM:
+                    yield is_tried_alone(workspace, other)
+                else:
+                    yield owner not in ("", *_BY_OTHERS) and depth > 0 and _is_idle(workspace, other, owner, depth - 1)
 
 
 def _may_call(workspace: WorkspaceIndex, file: str, name: str) -> list[str]:
@@ -78,11 +84,13 @@ def _started(workspace: WorkspaceIndex) -> frozenset[str]:
 
 @kept_for_each_file
 def _uses(code: facts.Facts) -> list[tuple[str, list[str], list[str]]]:
-    """What the functions at the top of a file name, in code and in texts, and what all of the rest names (``""``);
-    imports under the same name call nothing."""
+    """What the functions at the top of a file name, in code and in texts, what it does as a program, and what
+    all of its rest (``""``); imports under the same name call nothing."""
     rows: list[tuple[str, list[str], list[str]]] = []
+    guard = main_guard(code)
     for statement in code.body:
         owner = statement.name if isinstance(statement, facts.Function) and not statement.decorators else ""
+        owner = _AS_PROGRAM if statement is guard else owner
         every = [*everything_in([statement])]
         texts = (part.value for part in every if isinstance(part, facts.Literal) and isinstance(part.value, str))
         words = {word for text in texts if _PATH.fullmatch(text) for word in re.split(r"\W+", text)}

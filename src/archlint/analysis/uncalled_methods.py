@@ -59,11 +59,16 @@ def is_in_trial(workspace: WorkspaceIndex | None, place: Place) -> bool:
     guard = None if file_facts is None else main_guard(file_facts)
     if workspace is None or guard is None or not guard.span[0] <= place.line <= guard.span[2]:
         return False
-    installs = workspace.installs.get(workspace.package_of(place.file) or "")
-    if installs is None or installs.open_executables or place.file in workspace.code.installed_programs:
+    return is_tried_alone(workspace, place.file)
+
+
+def is_tried_alone(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether installed programs import a file that is none itself: what it does as one is a trial."""
+    installs = workspace.installs.get(workspace.package_of(file) or "")
+    if installs is None or installs.open_executables or file in workspace.code.installed_programs:
         return False
-    stem = posixpath.basename(place.file).removesuffix(".py")
-    return place.file in workspace.code.in_use and not is_named_by_launch(workspace, stem)
+    stem = posixpath.basename(file).removesuffix(".py")
+    return file in workspace.code.in_use and not is_named_by_launch(workspace, stem)
 
 
 _MAIN = "main"
@@ -98,4 +103,11 @@ def _may_call(workspace: WorkspaceIndex, file: str, module: str, method: str) ->
     return not of_itself and module in workspace.code.reached_from([file])
 
 
-__all__ = ["is_asked_of_others", "is_called_elsewhere", "is_in_trial", "uncalled_main", "uncalled_method"]
+__all__ = [
+    "is_asked_of_others",
+    "is_called_elsewhere",
+    "is_in_trial",
+    "is_tried_alone",
+    "uncalled_main",
+    "uncalled_method",
+]

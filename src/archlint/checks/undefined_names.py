@@ -16,7 +16,7 @@ from archlint.checks.unported import is_part_of_port, told_of_rospy
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.missing_imports import missing_imports
 from archlint.python_code.how_imported import defined_beside, idle_import_with, import_of, interface_meant
-from archlint.python_code.names_meant import exception_meant, first_use, node_class_meant
+from archlint.python_code.names_meant import exception_meant, first_use, node_class_meant, node_spun
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
 from archlint.python_code.undefined_beside import stops_a_launch
@@ -280,6 +280,8 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     node = node_class_meant(workspace, read.place)
     if node is not None and (not statement or ".msg " in statement):
         near, statement = near or node, ""  # no message is spun, whatever package has one of the name
+    if spun := node_spun(workspace, read.place):
+        near, statement = spun, ""
     if read.caught or read.name in _OF_ROS_1:
         near, statement = "", ""
     if read.name in _OTHERWISE_CALLED and not read.of_self:

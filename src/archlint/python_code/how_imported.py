@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import Counter, defaultdict
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file, once
@@ -57,7 +58,12 @@ def import_of(
     empty where neither is known.  A variable somewhere in ROS is not what a name means that is not ``called``, and no
     class; nor is the import of an interface by a name that ROS 2 gives none."""
     statements = _imports(workspace).get(name, Counter())
-    counts = {statement: n for statement, n in statements.items() if not _asks_in_vain(statement)}
+    sections = _sections_used(workspace, file, name)
+    counts = {
+        statement: n
+        for statement, n in statements.items()
+        if not _asks_in_vain(statement) and _is_of(statement.split()[1], sections)
+    }
     if counts:
         return min(counts, key=lambda statement: (-counts[statement], statement))
     if name in _USUAL:
@@ -66,13 +72,13 @@ def import_of(
         return f"from {name} import {name}" if called and name in _WITH_A_FUNCTION_OF_THEIR_NAME else f"import {name}"
     offering = [*(modules_with(name, "launch") if in_launch_file else ()), *modules_with(name, "rclpy")]
     if not offering:
-        return _import_of_interface(workspace, name, file)
+        return _import_of_interface(workspace, name, file, sections)
     if not (called or name[0].isupper() or offering[0] in _MODULES_OF_VALUES):
         return ""
     return f"from {offering[0]} import {name}"
 
 
-def _import_of_interface(workspace: WorkspaceIndex, name: str, file: str) -> str:
+def _import_of_interface(workspace: WorkspaceIndex, name: str, file: str, sections: Collection[str]) -> str:
     """The statement that imports an interface: from where the file imports others, else from the only package that has
     one of the name, those of the workspace before others."""
     table, code = workspace.interfaces, workspace.facts_at(file)
@@ -88,8 +94,25 @@ def _import_of_interface(workspace: WorkspaceIndex, name: str, file: str) -> str
     common = [f"{package}.{kind}" for package, kind, _ in full]
     asked = {imported.module for imported in everything_in(code.body, facts.ImportFrom) if not imported.level}
     usual = [module for module in common if module.partition(".")[0] not in _FOR_FEW]
+    own, common, usual = ([each for each in row if _is_of(each, sections)] for row in (own, common, usual))
     modules = [*asked.intersection(own + common)] or own or usual
     return f"from {modules[0]} import {name}" if len(modules) == 1 else ""
+
+
+def _sections_used(workspace: WorkspaceIndex, file: str, name: str) -> frozenset[str]:
+    """The kinds of interfaces that have what a file asks a name for, ``Move.Request`` of services alone, and messages
+    where it makes one, ``Move()``; empty for any."""
+    code = workspace.facts_at(file)
+    uses = () if code is None else everything_in(code.body, facts.Attribute)
+    parts = {use.attr for use in uses if use.value.variable == name}
+    sections = frozenset(section for section, of in _PARTS.items() if not parts.isdisjoint(of))
+    calls = () if code is None or sections else everything_in(code.body, facts.Call)
+    return sections or frozenset({".msg"} if any(call.func.variable == name for call in calls) else ())
+
+
+def _is_of(module: str, sections: Collection[str]) -> bool:
+    """Whether a module may have an interface of some kind."""
+    return not sections or not module.endswith(_SECTIONS) or module.endswith((*sections,))
 
 
 _FOR_FEW = frozenset({"action_tutorials_interfaces", "example_interfaces", "turtlesim", "turtlesim_msgs"}) | {

@@ -31,6 +31,19 @@ def node_class_meant(workspace: WorkspaceIndex, place: Place) -> str | None:
     return classes[0] if len(classes) == 1 else ""
 
 
+def node_spun(workspace: WorkspaceIndex, place: Place) -> str:
+    """The variable of the only node that a function spins, where a name is asked there to be destroyed; empty for any
+    other name."""
+    function = code_of(workspace).function_at(place)
+    body = () if function is None else function.body
+    destroyed = any(
+        call.func.attribute == "destroy_node" and getattr(call.func.root, "span", None) == place.span
+        for call in parts_of(body, facts.Call)
+    )
+    spun = {call.args[0].value.variable for call in parts_of(body, facts.Call) if _takes_a_node(call)}
+    return spun.pop() if destroyed and len(spun) == 1 else ""
+
+
 def _is_of_nodes(cls: facts.Class) -> bool:
     return any(base.value.last_name in _NODES for base in cls.bases)
 
@@ -79,4 +92,4 @@ def first_use(workspace: WorkspaceIndex, place: Place, name: str) -> Place:
     return Place.of(place.file, min([place.span, *(use.span for use in uses if use.id == name)]))
 
 
-__all__ = ["exception_meant", "first_use", "node_class_meant"]
+__all__ = ["exception_meant", "first_use", "node_class_meant", "node_spun"]
