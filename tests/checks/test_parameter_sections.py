@@ -87,6 +87,49 @@ def test_the_name_that_the_code_gives_the_node(findings, key: str):
         assert told.related == ()
 
 
+@pytest.mark.parametrize(
+    ("key", "program", "told"),
+    [
+        ("slam_toolbox", 'pkg="slam_toolbox" exec="sync_slam_toolbox_node" name="mapper"', 1),
+        ("slam_toolbox", 'pkg="slam_toolbox" exec="sync_slam_toolbox_node"', 0),
+        # A key for a node that some plugin may make in the process, under a name of its own.
+        ("solver", 'pkg="slam_toolbox" exec="sync_slam_toolbox_node" name="mapper"', 0),
+        # Programs that archlint does not know: most call their node as the program or its package is called.
+        ("driver", 'pkg="camera" exec="driver" name="front"', 1),
+        ("camera", 'pkg="camera" exec="driver" name="front"', 1),
+        ("camera", 'pkg="camera" exec="driver" name="$(var who)"', 0),
+        ("left/driver", 'pkg="camera" exec="driver" name="front"', 0),
+        # The costmap has its own name, which the launch file cannot change.
+        ("local_costmap/local_costmap", 'pkg="nav2_controller" exec="controller_server" name="control"', 0),
+    ],
+)
+def test_the_name_that_a_program_from_elsewhere_gives_its_node(findings, key: str, program: str, told: int):
+    """The launch file gives the node another name, so that the section is for nobody."""
+    launch = f'<arg name="who" default="rear"/><node {program}>{LOAD_IT}</node>'
+    rows = findings("PRM005", launch, **{"config/p.yaml": f"{key}: {RATE}\n"})
+    assert [(row.place.line, row.identity[1]) for row in rows] == [(1, f"/{key}")] * told
+    assert all("take the name off the node in the launch file" in (row.help or "") for row in rows)
+    # With a section for the name that the node has, the other one is for another start.
+    name = program.rpartition('name="')[2].rstrip('"')
+    more = f"{key}: {RATE}\n{name if name.isalpha() else 'front'}: {RATE}\n"
+    assert "name=" not in program or findings("PRM005", launch, **{"config/p.yaml": more}) == []
+
+
+@pytest.mark.parametrize(
+    ("other", "told"),
+    [
+        ('<node pkg="camera" exec="driver"/>', 1),
+        (f'<node pkg="camera" exec="driver">{LOAD_IT}</node>', 0),
+        ('<node pkg="camera" exec="driver" args="--ros-args --params-file p.yaml"/>', 0),
+        ('<node pkg="camera" exec="driver"><param from="$(env FILE)"/></node>', 0),
+    ],
+)
+def test_a_node_of_unknown_name_beside_those_that_load_the_file(findings, other: str, told: int):
+    """It matters only if it may get the file, too."""
+    rows = findings("PRM005", node(LOAD_IT) + other, **{"config/p.yaml": f"tlaker: {RATE}\n"})
+    assert [row.meant for row in rows] == ["/talker"] * told
+
+
 def test_a_key_that_the_file_has_already_is_no_advice(findings):
     yaml = f"talker: {RATE}\ntlaker: {RATE}\n"
     (told,) = findings("PRM005", node(LOAD_IT), **{"config/p.yaml": yaml})

@@ -33,6 +33,7 @@ from archlint.systems.overrides import key_matches
 
 if TYPE_CHECKING:
     from archlint.launch.model import Included, Launched
+    from archlint.launch.started import Started
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Node
 
@@ -126,7 +127,10 @@ def _judged(
         return _finding(place, key, right[0], help)
     if others_are_not_run(workspace):
         return None
-    if names_cpp_node(workspace, file, last) or _is_another_program(workspace, file, last, started):
+    renamed = _renamed_loader(key, unmet, file)
+    if _is_another_program(workspace, file, last, started):
+        return None
+    if renamed is None and names_cpp_node(workspace, file, last):
         return None
     if is_for_a_test(workspace, file, last) or _holds_costmap(workspace, file, last, started):
         return None
@@ -134,11 +138,12 @@ def _judged(
     if near and _are_of_two_programs(key, near):
         near = ""
     near = near or _with_node(key, unmet, file)
-    if not near and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
+    if not near and any(node.other_name for node in started):
+        return None
+    if not near and renamed is None and _may_hold_more_nodes(workspace, file):
         return None
     loaders = {node.name for node in started if _loads(node, file)}
-    renamed = next((node for node in started if _loads(node, file) and _own_name(node) == last), None)
-    if renamed is not None and not namespace.strip("/"):
+    if renamed is not None:
         return _renamed(_finding(place, key, near, ""), renamed)
     help = f"nodes that load this file: {listed(sorted(loaders or {node.name for node in started}))}"
     return _finding(place, key, near, help)
@@ -152,9 +157,22 @@ def _are_of_two_programs(key: str, other: str) -> bool:
     return last != other_last and {last, other_last} <= names
 
 
-def _own_name(loader: _Loader) -> str | None:
-    """The name that the code of a node gives it."""
-    return None if loader.node.blueprint is None else loader.node.blueprint.name.text
+def _renamed_loader(key: str, unmet: Sequence[_Loader], file: str) -> _Loader | None:
+    """The node that gets a file, and no section of it, which a key would be for if the launch file gave it no name."""
+    namespace, _, last = key.rpartition("/")
+    if namespace.strip("/"):
+        return None
+    return next((node for node in unmet if _loads(node, file) and last in _own_names(node.node)), None)
+
+
+def _own_names(node: Node) -> set[str | None]:
+    """The name that the code of a node gives it.  Where the code is not here, and the launch file gives the process a
+    name, no node in it has that of the program or of its package any more, which most programs give their node."""
+    if node.blueprint is not None:
+        return {node.blueprint.name.text}
+    if node.known is not None:
+        return {node.known.name}
+    return {node.executable, node.package}
 
 
 def _renamed(told: Finding, loader: _Loader) -> Finding:
@@ -282,6 +300,12 @@ def _are_others_known(launched: Launched, file: str) -> bool:
     )
 
 
+def _may_get(launched: Launched, process: Started, file: str) -> bool:
+    """Whether a process gets a parameter file, or may get one that is not known: in a parameter, or as an argument."""
+    known = file in files_of_process(process) or may_get_any_file(launched, process)
+    return known or process.may_read_arguments_for_ros
+
+
 def _named_for_others(workspace: WorkspaceIndex, file: str) -> set[str]:
     """The names of what the launches that load a file start under other arguments alone."""
     return {
@@ -303,9 +327,11 @@ def _nodes_beside(workspace: WorkspaceIndex, file: str) -> list[_Loader]:
         if any(i.reference.source is None and _may_read(i, file) for i in launched.included):
             return []
         for node in system.nodes:
-            if node.name is None or node.resolution not in ("exact", "parameter"):
-                return []
             process = node.started
+            if node.name is None or node.resolution not in ("exact", "parameter"):
+                if process is None or _may_get(launched, process, file):
+                    return []
+                continue  # whatever it is called, nothing of the file is for it
             other_name = process is not None and name_is_chosen(launched, process)
             loaders.append(
                 _Loader(node.name, node, other_name, process is not None and namespace_is_chosen(launched, process))

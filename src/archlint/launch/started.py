@@ -81,6 +81,12 @@ class Started:
         """The action that it is started by."""
         return self.visited[-1][0] if self.visited else None
 
+    @property
+    def may_read_arguments_for_ros(self) -> bool:
+        """Whether words of its command line are arguments of ROS, such as a file of parameters, or may be."""
+        words = self.arguments
+        return bool(self.ros_arguments) or not self.knows_all_arguments or None in words or "--ros-args" in words
+
 
 class StartedProcesses:
     """The processes that a launch has started so far, in ``processes``."""

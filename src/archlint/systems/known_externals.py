@@ -86,14 +86,14 @@ def blueprint_of(row: ExternalNode, started: Started, distro: str | None) -> tup
         reasons.append(f"its source in {distro} was not read")
     versions = row.versions if distro is None or not read else {distro: row.versions.get(distro, "")}
     any_parameter = row.takes_any_parameter or not read
-    known = KnownExternal(row.source, dict(versions), tuple(reasons), any_parameter, row.conditional)
+    name = None if row.own_name else row.name
+    known = KnownExternal(row.source, dict(versions), tuple(reasons), any_parameter, row.conditional, name)
     return blueprint, known
 
 
 def may_be_set(name: str, started: Started) -> bool:
     """Whether a launch file may give a process this parameter."""
-    words = started.arguments
-    if started.ros_arguments or not started.knows_all_arguments or None in words or "--ros-args" in words:
+    if started.may_read_arguments_for_ros:
         return True
     return any(
         not isinstance(row, ParameterSetting) or row.sets_anything or row.name == name for row in started.parameters

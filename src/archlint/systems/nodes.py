@@ -112,6 +112,8 @@ class KnownExternal:
     takes_any_parameter: bool = False
     conditional: bool = False
     """Whether its program makes it under a condition, such as a parameter."""
+    name: str | None = None
+    """The name that its source gives it, if a launch file can give it another one."""
 
     @property
     def complete(self) -> bool:
