@@ -434,6 +434,18 @@ def test_a_package_that_is_listed_and_has_no_folder(findings, packages, message,
 
 
 @pytest.mark.parametrize(
+    ("entry", "help"),
+    [
+        ("robot.talker:main", "write 'robot'"),
+        ("arm.talker:main", "rename the folder 'robot' to 'arm', as which the code of the package calls it"),
+    ],
+)
+def test_a_folder_that_the_entries_call_as_packages_does(findings, entry: str, help: str):
+    (finding,) = findings("PKG004", LAUNCH, **{"setup.py": setup("['arm']").replace("robot.talker:main", entry)})
+    assert finding.help == help
+
+
+@pytest.mark.parametrize(
     ("more", "help"),
     [
         ({}, "write 'robot'"),

@@ -93,6 +93,24 @@ def test_the_entry_of_a_package_that_was_renamed(findings):
 
 
 @pytest.mark.parametrize(
+    ("imported", "help"),
+    [
+        ("old_robot.words", "rename the folder 'robot' to 'old_robot', as which its own code imports it"),
+        ("robot.words", "write 'talker = robot.talker:main'"),
+        ("old_robot.msg", "write 'talker = robot.talker:main'"),  # no module of the folder
+    ],
+)
+def test_a_folder_whose_code_has_the_name_of_the_entry(findings, imported: str, help: str):
+    setup = SETUP.replace("robot.talker:main", "old_robot.talker:main")
+    files = {"robot/talker.py": f"from {imported} import HELLO\n{TALKER}", "robot/words.py": "HELLO = 'hello'\n"}
+    (found,) = findings("PKG002", **{"setup.py": setup, **files})
+    assert found.help == help
+    listed = setup.replace("    name='robot',\n", "    name='robot',\n    packages=['old_robot'],\n")
+    told = findings("PKG002", **{"setup.py": listed, **files})
+    assert len(told) == (0 if help.startswith("rename") else 1)  # PKG004 has it, then
+
+
+@pytest.mark.parametrize(
     "target",
     [
         "old_robot.driver:main",  # no module of this package

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds
+from archlint.checks.listed_packages import packages_in_vain
 from archlint.checks.plugin_classes import plugin_classes
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -15,7 +16,7 @@ from archlint.finding import Finding, Related, Severity
 from archlint.launch_files.launch_code import started_programs
 from archlint.packaging.entry_points import NeverAwaited, NoFunction, NoFunctionNamed, NoModule, broken_target
 from archlint.packaging.left_out_code import is_entry_left_out
-from archlint.packaging.modules_meant import target_meant
+from archlint.packaging.modules_meant import folder_to_rename, target_meant
 from archlint.packaging.webots_plugins import loaded_by_webots
 from archlint.suggestions import did_you_mean, listed, meant, nearest
 
@@ -87,6 +88,11 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             help = _without_module(workspace, executable)
             if there is not None:
                 help = f"write '{executable.name} = {there.target}'"
+                renamed = folder_to_rename(workspace, executable, there)
+                if renamed is not None and renamed[1] in packages_in_vain(workspace).get(executable.package, ()):
+                    return  # PKG004 says so where setup.py lists the package
+                if renamed is not None:
+                    help = f"rename the folder '{renamed[0]}' to '{renamed[1]}', as which its own code imports it"
             group = (executable.place.file, _NO_MODULE, "") if there is None else ()
             yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help, group)
         case NoFunctionNamed(module, functions):

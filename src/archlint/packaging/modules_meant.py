@@ -6,7 +6,7 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from archlint.packaging.entry_points import NoModule, broken_target
-from archlint.packaging.imports import imports
+from archlint.packaging.imports import imports, imports_at_start
 from archlint.python_code.offered_names import own_names
 from archlint.records import dataclass
 from archlint.suggestions import distance, nearest
@@ -37,6 +37,27 @@ def target_meant(workspace: WorkspaceIndex, executable: Executable) -> Meant | N
         if _likely(workspace, other) == likely:
             return None
     return likely
+
+
+def is_called_in_its_code(workspace: WorkspaceIndex, package: str, folder: str, name: str) -> bool:
+    """Whether the modules of a folder with Python code import each other as those of a Python package of another
+    ``name``: what has to change then is the name of the folder."""
+    modules = workspace.code.modules_of(package)
+    files = {path for module, path in modules.items() if module.partition(".")[0] == folder}
+    own = {module.partition(".")[2] for module, path in modules.items() if path in files}
+    return any(
+        row.file.relative in files and row.module.startswith(f"{name}.") and row.module.partition(".")[2] in own
+        for row in imports_at_start(workspace)
+    )
+
+
+def folder_to_rename(workspace: WorkspaceIndex, executable: Executable, meant: Meant) -> tuple[str, str] | None:
+    """The folder in which the module that was meant lies, and the name by which its own code and the entry call it."""
+    there, _, rest = meant.named.partition(":")[0].partition(".")
+    wanted, _, missing = (executable.module or "").partition(".")
+    if rest != missing or not rest or not is_called_in_its_code(workspace, executable.package, there, wanted):
+        return None
+    return there, wanted
 
 
 def _edits(module: str, named: str) -> int:
@@ -147,4 +168,4 @@ def _may_offer(workspace: WorkspaceIndex, package: str, module: str, function: s
     return path is None or workspace.code.mentions(path, function.partition(".")[0])
 
 
-__all__ = ["Meant", "target_meant"]
+__all__ = ["Meant", "folder_to_rename", "is_called_in_its_code", "target_meant"]
