@@ -50,17 +50,17 @@ def names(findings):
         (
             TALKER + "ament_target_dependencies(talker rclcpp nav_msgs)\n",
             "ament_target_dependencies() is given 'nav_msgs', which no find_package() has found: the build stops",
-            "add find_package(nav_msgs REQUIRED)",
+            "take it off, for no source here includes a header of it; or add find_package(nav_msgs REQUIRED)",
         ),
         (
             TALKER + "ament_target_dependencies(talker rclcpp arm_msgs)\n",
             "ament_target_dependencies() is given 'arm_msgs', which no find_package() has found: the build stops",
-            "add find_package(arm_msgs REQUIRED)",
+            "take it off, for no source here includes a header of it; or add find_package(arm_msgs REQUIRED)",
         ),
         (
             TALKER + "find_package(sparks REQUIRED)\nament_target_dependencies(talker sparks arm_msgs)\n",
             "ament_target_dependencies() is given 'arm_msgs', which no find_package() has found: the build stops",
-            "add find_package(arm_msgs REQUIRED)",
+            "take it off, for no source here includes a header of it; or add find_package(arm_msgs REQUIRED)",
         ),
         (
             TALKER + "target_link_libraries(talker ${PROJECT_NAME})\n",
@@ -109,6 +109,21 @@ def test_what_is_not_there(names, text, message, help):
     assert names(text) == [(message, help)]
 
 
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"src/talker.cpp": '#include "nav_msgs/msg/odometry.hpp"\nint main() {}\n'},
+        {"include/robot/talker.hpp": "#include <nav_msgs/msg/odometry.hpp>\n"},
+        {"package.xml": CMAKE.replace("</package>", "<depend>nav_msgs</depend></package>")},
+    ],
+)
+def test_a_package_that_the_sources_need(findings, files: dict[str, str]):
+    text = f"{HEAD}{TALKER}ament_target_dependencies(talker rclcpp nav_msgs)\nament_package()\n"
+    common = {"package.xml": CMAKE, "src/talker.cpp": SOURCE, "CMakeLists.txt": text}
+    (found,) = findings("PKG012", **common | files)
+    assert found.help == "add find_package(nav_msgs REQUIRED)"
+
+
 def test_one_finding_for_all_that_was_copied(names):
     copied = "ament_target_dependencies(costmap rclcpp nav_msgs)\ninstall(TARGETS costmap mapping talker merger)\n"
     assert names(TALKER + copied) == [
@@ -133,7 +148,7 @@ def test_a_target_that_the_sources_are_there_for(findings, sources):
     found = findings("PKG012", **{"package.xml": CMAKE, **files})
     assert [finding.help for finding in found] == [
         "add the add_executable() or add_library() that makes it",
-        "add find_package(nav_msgs REQUIRED)",
+        "take it off, for no source here includes a header of it; or add find_package(nav_msgs REQUIRED)",
         "add the add_executable() or add_library() that makes it",
     ]
 

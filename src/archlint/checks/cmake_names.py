@@ -16,6 +16,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.packaging.cmake_packages import cmake_packages
+from archlint.packaging.cpp_includes import includes_any_of
 from archlint.packaging.left_over_targets import left_over_targets
 from archlint.ros import packages
 from archlint.suggestions import did_you_mean, listed, nearest
@@ -172,7 +173,7 @@ def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -
             named.name in lacking
             or (named.name not in known | {*options.external} and _isfound_with_none(named.name, unknown))
         ):
-            yield _package(installs, named)
+            yield _package(workspace, installs, named)
         elif named.name not in known and named.name in _interfaces_of(installs) and named.command == _TAKES_A_TARGET:
             yield _interface(installs, named)
 
@@ -247,9 +248,15 @@ def _target_as_package(installs: Installs, named: NameInCMake) -> Finding:
     return _finding(installs, named, message, f"call {named.command}() for '{named.name}', too", "both")
 
 
-def _package(installs: Installs, named: NameInCMake) -> Finding:
+def _package(workspace: WorkspaceIndex, installs: Installs, named: NameInCMake) -> Finding:
     message = f"{named.command}() is given '{named.name}', which no find_package() has found: the build stops"
-    return _finding(installs, named, message, f"add find_package({named.name} REQUIRED)", "package")
+    help = f"add find_package({named.name} REQUIRED)"
+    package = workspace.packages.get(installs.package)
+    is_declared = package is not None and any(row.name == named.name for row in package.dependencies)
+    wanted = is_declared or named.command != _TAKES_A_TARGET
+    if not wanted and not includes_any_of(workspace, installs.package, named.name):
+        help = f"take it off, for no source here includes a header of it; or {help}"
+    return _finding(installs, named, message, help, "package")
 
 
 def _interfaces_of(installs: Installs) -> frozenset[str]:

@@ -84,6 +84,12 @@ def has_header(workspace: WorkspaceIndex, package: str, header: str) -> bool:
     return makes or any(f"/{path}".endswith(f"/{header}") for path in _code(workspace).get(package, ()))
 
 
+def includes_any_of(workspace: WorkspaceIndex, package: str, needed: str) -> bool:
+    """Whether a file of C++ of a package includes a header of another one, or code that is made of its interfaces."""
+    headers = (header for path in _code(workspace).get(package, ()) for header, _ in _includes(workspace, path))
+    return any(header.partition("/")[0].partition(".")[0] == needed for header in headers)
+
+
 def is_of_workspace(workspace: WorkspaceIndex, header: str) -> bool:
     """Whether any package of the workspace has the file of a header."""
     return any(f"/{path}".endswith(f"/{header}") for paths in _code(workspace).values() for path in paths)
