@@ -198,6 +198,23 @@ def test_launch_files(told: Told, files: dict[str, str], expected: list[str]):
     assert told(files, "LCH001") == expected
 
 
+@pytest.mark.parametrize(
+    ("folder", "readme", "told_of"),
+    [
+        ("archived_arm", "", []),
+        ("archived_arm", "    ros2 launch arm arm.launch.py", ["archived_arm/launch/arm.launch.py"]),
+        ("arm", "", ["arm/launch/arm.launch.py"]),
+    ],
+)
+def test_launch_files_of_a_package_that_is_put_aside(told: Told, folder: str, readme: str, told_of: list[str]):
+    manifest = MANIFEST.format(build="ament_python").replace("<name>robot<", "<name>arm<")
+    setup = SETUP.replace("robot", "arm")
+    files = {"package.xml": manifest, "setup.py": setup, "launch/arm.launch.py": STARTS}
+    files |= {"arm/__init__.py": "", "arm/driver.py": "def main():\n    pass\n"}
+    below = {f"{folder}/{path}": text for path, text in files.items()}
+    assert told({**below, "README.md": readme}, "PKG001") == told_of
+
+
 OF_OLD = '<launch><node pkg="robot" exec="driver" colour="red"/></launch>'
 
 

@@ -188,11 +188,15 @@ def _commands(workspace: WorkspaceIndex) -> list[tuple[str, str, Place]]:
 def is_meant_to_start(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether anything asks for a launch file, be it installed or not: a command of CMake that is not known here,
     another launch file, or a text that says to start it, by its package or by its path."""
-    package = workspace.package_of(file) or ""
-    installs = workspace.installs.get(package)
+    installs = workspace.installs.get(workspace.package_of(file) or "")
     given = installs is not None and any(map(installs.may_install, paths_below(installs, [file])))
-    told = any(_told_at(workspace, package, file)) or _is_started_by_path(workspace, file)
-    return given or told or file in files_told_already(workspace)
+    return given or is_told_to_start(workspace, file)
+
+
+def is_told_to_start(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether another launch file or a text asks for a launch file, be it installed or not."""
+    told = any(_told_at(workspace, workspace.package_of(file) or "", file)) or _is_started_by_path(workspace, file)
+    return told or file in files_told_already(workspace)
 
 
 def _told_at(workspace: WorkspaceIndex, package: str, file: str) -> Iterator[Place]:

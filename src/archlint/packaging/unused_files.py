@@ -21,7 +21,7 @@ from archlint.analysis.aside import (
 from archlint.analysis.kept import kept, once
 from archlint.packaging.told_scripts import is_told_to_run
 from archlint.packaging.unbuilt_files import runs_nowhere
-from archlint.packaging.uninstalled_files import is_left_out_launch_file, is_meant_to_start
+from archlint.packaging.uninstalled_files import is_left_out_launch_file, is_meant_to_start, is_told_to_start
 from archlint.ros.packages import package_of_module
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -94,9 +94,13 @@ def _parts(version: re.Match[str]) -> list[int]:
 
 
 def _is_put_aside(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a file is put aside and no code names it, such as ``driver copy.py``."""
+    """Whether a file is put aside and no code names it, such as ``driver copy.py``.  The build of a package that is put
+    aside itself says nothing of its launch files."""
     if _is_launch_file(workspace, file):
-        return is_disused(workspace, file) and not is_meant_to_start(workspace, file)
+        package = workspace.packages.get(workspace.package_of(file) or "")
+        whole = package is not None and is_disused(workspace, package.manifest.relative)
+        wanted = is_told_to_start if whole else is_meant_to_start
+        return is_disused(workspace, file) and not wanted(workspace, file)
     return is_left_alone(workspace, file) and is_disused(workspace, file)
 
 
