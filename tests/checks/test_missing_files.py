@@ -11,6 +11,21 @@ from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SETUP, TALKER, manifest,
 
 
 @pytest.mark.parametrize(
+    ("default", "also", "spare"),
+    [
+        ("false", "", True),
+        ("true", "", False),
+        ("false", '<include file="$(find-pkg-share robot)/launch/db.launch.xml"/>', False),
+    ],
+)
+def test_a_file_that_only_another_argument_needs(findings, default: str, also: str, spare: bool):
+    included = '<include file="$(find-pkg-share robot)/launch/db.launch.xml" if="$(var db)"/>'
+    (found, *_) = findings("LCH004", f'<arg name="db" default="{default}"/>{included}\n{also}')
+    assert found.message.startswith("package 'robot' has no launch file 'launch/db.launch.xml'")
+    assert found.message.endswith("; with the default arguments nothing needs it") is spare
+
+
+@pytest.mark.parametrize(
     ("line", "found"), [("", 1), ("open(path, 'w').write('x')", 0), ("shutil.copy('a', path)", 0), ("open(path)", 1)]
 )
 def test_a_file_that_the_launch_file_may_make(findings, line, found):

@@ -16,11 +16,14 @@ from archlint.finding import Finding, Related
 from archlint.launch.kinds import FileKind, FileStatus
 from archlint.launch_files.launch_code import writes_files
 from archlint.launch_files.missing_files import (
+    below_package,
     installed_paths,
     is_folder_missing,
     is_installed_nowhere,
+    lacks_a_part,
     lies_in,
     may_do_without,
+    mixtures,
     names_beside,
     namesake,
     other_package_with,
@@ -69,11 +72,11 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     yield from joined_folders(system)
     uses: dict[tuple[Place, str | None], list[FileReference]] = {}
     references = system.launched.references if system.launched is not None else ()
-    mixed = _mixtures(references)
+    mixed = mixtures(references)
     for reference in references:
         if reference.status not in (FileStatus.MISSING, FileStatus.NOT_INSTALLED) or reference.optional:
             continue
-        if reference not in mixed and not _lacks_a_part(reference) and not is_joined_wrongly(system, reference):
+        if reference not in mixed and not lacks_a_part(reference) and not is_joined_wrongly(system, reference):
             uses.setdefault((decided_at(reference), reference.written), []).append(reference)
     for (place, written), references in uses.items():
         [reference, *others] = sorted(references, key=_by_kind)
@@ -83,7 +86,7 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         files = {place.file, reference.place.file, *(other.place.file for other in others)}
         if reference.status == FileStatus.MISSING and any(writes_files(system.workspace, file) for file in files):
             continue
-        shown = _below_package(written or "")
+        shown = below_package(written or "")
         if reference.status == FileStatus.MISSING and _need_not_be_here(system, reference, shown):
             continue
         if reference.status == FileStatus.MISSING:
@@ -94,15 +97,19 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             told = _not_installed(system, reference, shown)
         uses_of_it = [use for use in (reference, *others) if use.kind != FileKind.ARGUMENT]
         read = dict.fromkeys(use.place for use in uses_of_it if use.place != place)
+        spare = reference.status == FileStatus.MISSING and all(use.dormant for use in (reference, *others))
         yield finding(
             "LCH004",
             place,
-            told.message,
+            told.message + _SPARE * spare,
             help=told.help,
             related=[Related(used_at, "it is used here") for used_at in read],
             identity=(reference.package or "", written or ""),
             group=(told.status, reference.package or "", told.cause),
         )
+
+
+_SPARE = "; with the default arguments nothing needs it"
 
 
 class _Told(NamedTuple):
@@ -189,35 +196,9 @@ def _is_kept_out(system: System, reference: FileReference, shown: str) -> bool:
     return ignores(system.workspace, path) or is_kept_for_ignored(system.workspace, path)
 
 
-def _mixtures(references: Sequence[FileReference]) -> set[FileReference]:
-    """Files of one package under the path that is meant for another one.  Branches that choose a package choose the
-    path in it, too; put together later, each package stands before each path, its own among them."""
-    by_use: dict[Place, set[FileReference]] = {}
-    for reference in references:
-        by_use.setdefault(reference.place, set()).add(reference)
-    mixed: set[FileReference] = set()
-    for uses in by_use.values():
-        packages: dict[str, set[str | None]] = {}
-        for reference in uses:
-            packages.setdefault(_path(reference), set()).add(reference.package)
-        complete = {reference.package for reference in uses if reference.status == FileStatus.INSTALLED}
-        mixed |= {use for use in uses if use.package in complete and len(packages[_path(use)]) > 1}
-    return mixed
-
-
-def _lacks_a_part(reference: FileReference) -> bool:
-    """Whether a folder in the middle of a path is empty, as ``robots//config`` where an argument has the default '':
-    whoever launches the file is to say which."""
-    return "//" in _below_package(reference.written or "")
-
-
-def _path(reference: FileReference) -> str:
-    return _below_package(reference.written or "")
-
-
 def _package_beside(system: System, written: str) -> str:
     """The package of the workspace to which a path leads out of the share folder of another one; empty for none."""
-    leads_out, name, *_ = (*posixpath.normpath(_below_package(written)).split("/"), "")
+    leads_out, name, *_ = (*posixpath.normpath(below_package(written)).split("/"), "")
     known = system.workspace is not None and name in system.workspace.packages
     return name if leads_out == ".." and known and written.startswith("$(find-pkg-share ") else ""
 
@@ -255,7 +236,7 @@ def _absent_packages(system: System) -> Iterator[Finding]:
         seen.add((place, package))
         if system.launched is not None and is_told_at_a_start(workspace, system.launched, package):
             continue  # LCH001 says which package was meant, and shows this place
-        named = _below_package(reference.written or "")
+        named = below_package(reference.written or "")
         near = package_meant(workspace, package, named, reference.place.file) or package_with(
             workspace, package, named, reference.place.file
         )
@@ -280,7 +261,7 @@ def _by_kind(reference: FileReference) -> int:
 
 def _is_read(system: System, reference: FileReference, written: str) -> bool:
     """Whether a missing file of no known kind is one that has to be there: nothing makes it on each machine."""
-    path = _in_package(system, reference, _below_package(written))
+    path = _in_package(system, reference, below_package(written))
     installs = None if system.workspace is None else system.workspace.installs.get(reference.package or "")
     if system.workspace is None or installs is None:
         return False
@@ -308,10 +289,6 @@ def _installed_so(system: System, reference: FileReference, shown: str) -> str:
     return f"install {reference.source} (data_files in setup.py, install(DIRECTORY …) in CMake)"
 
 
-def _below_package(written: str) -> str:
-    return re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", written)
-
-
 def _cause(system: System, reference: FileReference, shown: str) -> str:
     """What one change mends: the folder of a file, where none of its files is installed or where it is not there at
     all; or else the file."""
@@ -326,14 +303,16 @@ def _cause(system: System, reference: FileReference, shown: str) -> str:
 def _of_one_cause(several: Sequence[Finding]) -> Finding:
     """One finding for a file that is not there, however many launch files name it, and for all files of a folder that
     is not there or not installed."""
+    if any(not each.message.endswith(_SPARE) for each in several):
+        several = [replace(each, message=each.message.removesuffix(_SPARE)) for each in several]
     first, *others = several
-    names = list(dict.fromkeys(_below_package(diagnostic.identity[1]) for diagnostic in several))
+    names = list(dict.fromkeys(below_package(diagnostic.identity[1]) for diagnostic in several))
     if len(names) == 1:  # as of those with one relative path
         return with_places(several, "it is named here, too")
     status, package, folder = first.group
     if status == "absent":
         return with_places(several, "it is named here, too")
-    places = [Related(other.place, f"'{_below_package(other.identity[1])}' is named here") for other in others]
+    places = [Related(other.place, f"'{below_package(other.identity[1])}' is named here") for other in others]
     if status == FileStatus.MISSING:
         message = f"package '{package}' has no folder '{folder}' with these {len(names)} files: {listed(names)}"
         help = "check the path of the folder; it is relative to the package's installed share folder"

@@ -26,6 +26,8 @@ class FileReference:
     """Where its name is written: another place than ``place`` where an argument or a variable passes it."""
     optional: bool = False
     """Whether the launch file asks first if it is there."""
+    dormant: bool = False
+    """Whether the file is asked for under other arguments than those of the launch alone."""
     name: str | None = field(default=None, compare=False)
     """The parameter or the argument that is set to it, if it is known."""
 

@@ -260,7 +260,7 @@ class LaunchRun(Run):
 
     def reference(self, kind: FileKind, path: Value, place: Place, name: str | None = None) -> FileReference:
         """Note which file a path means; ``name`` is what passes it to a node: a parameter, or an argument."""
-        reference = replace(self.resolve(kind, path, place), name=name)
+        reference = replace(self.resolve(kind, path, place), name=name, dormant=self.is_dormant)
         self._note(reference, self.result.references)
         return reference
 

@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING
 from archlint.launch.kinds import FileKind, FileStatus
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from archlint.finding import Place
     from archlint.launch.named_files import FileReference
     from archlint.systems.model import System, WorkspaceIndex
 
@@ -134,3 +137,36 @@ def _folder(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
         return None
     inside = path if path.startswith(f"{installs.folder}/") else posixpath.join(installs.folder, path)
     return posixpath.dirname(posixpath.normpath(inside))
+
+
+# ------------------------------------------------------------------------------------------------- paths
+
+
+def below_package(written: str) -> str:
+    return re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", written)
+
+
+def mixtures(references: Sequence[FileReference]) -> set[FileReference]:
+    """Files of one package under the path that is meant for another one.  Branches that choose a package choose the
+    path in it, too; put together later, each package stands before each path, its own among them."""
+    by_use: dict[Place, set[FileReference]] = {}
+    for reference in references:
+        by_use.setdefault(reference.place, set()).add(reference)
+    mixed: set[FileReference] = set()
+    for uses in by_use.values():
+        packages: dict[str, set[str | None]] = {}
+        for reference in uses:
+            packages.setdefault(_path(reference), set()).add(reference.package)
+        complete = {reference.package for reference in uses if reference.status == FileStatus.INSTALLED}
+        mixed |= {use for use in uses if use.package in complete and len(packages[_path(use)]) > 1}
+    return mixed
+
+
+def lacks_a_part(reference: FileReference) -> bool:
+    """Whether a folder in the middle of a path is empty, as ``robots//config`` where an argument has the default '':
+    whoever launches the file is to say which."""
+    return "//" in below_package(reference.written or "")
+
+
+def _path(reference: FileReference) -> str:
+    return below_package(reference.written or "")
