@@ -57,6 +57,7 @@ MODULES: tuple[str, ...] = (
     "scripts",
     "late_publications",
     "second_shutdowns",
+    "skipped_endings",
     "script_folders",
     "service_cycles",
     "signatures",

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from archlint.finding import Finding
     from archlint.systems.model import WorkspaceIndex
 
-_AT_THE_END = frozenset({"EXE015", "EXE016"})
+_AT_THE_END = frozenset({"EXE015", "EXE016", "EXE017"})
 """Rules that tell how a program ends."""
 _OF_LINES = frozenset({"API001", "API002", "API005", "MSG001", "MSG003"})
 """Rules that tell which line raises an exception, or sends something else.  Two such lines of one function are two
