@@ -163,6 +163,26 @@ def test_an_except_to_which_a_line_before_keeps_every_run_from_coming(tmp_path: 
     told(tmp_path, source.format(caught="Exception", mark="  # here"))
 
 
+@pytest.mark.parametrize(("tells", "mark"), [("noted(error)  # here", ""), ("print(error)", "  # here")])
+def test_an_except_that_fails_itself(tmp_path: Path, tells: str, mark: str) -> None:
+    source = f"""
+        import rclpy
+
+
+        def main(args=None):
+            rclpy.init(args=args)
+            try:
+                data = open('robot.yaml').read()
+            except OSError as error:
+                {tells}
+            print(data){mark}
+
+
+        main()
+    """
+    told(tmp_path, source)
+
+
 CALLED = """
     import rclpy
 

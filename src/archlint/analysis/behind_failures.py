@@ -28,6 +28,7 @@ class BehindFailures:
         by_file: dict[str, list[facts.Span]] = {}
         for place in failing:
             by_file.setdefault(place.file, []).append(place.span)
+        self._workspace, self._failing = workspace, by_file
         self._lines = {file: [*_skipped(workspace, file, spans)] for file, spans in by_file.items()}
         self._functions = {
             file: [*_called_from(workspace, file, parts)] for file, parts in self._lines.items() if parts
@@ -37,9 +38,22 @@ class BehindFailures:
         """Whether all ways to a place lead past one that fails."""
         return self.leaves_out(place) or _covered(self._lines.get(place.file, ()), place)
 
+    def is_never_left(self, handler: Place) -> bool:
+        """Whether an ``except``, by its place, always fails itself, so that nothing behind it runs."""
+        spans = [span for span in self._failing.get(handler.file, ()) if _is_inside(span, handler.span)]
+        body = code_of(self._workspace).body_at(handler) if spans else ()
+        attempts = (attempt for attempt in parts_of(body, facts.Try))
+        around = (each for attempt in attempts for each in attempt.handlers if each.span == handler.span)
+        simple = [statement for each in around for statement in each.body if not statement.blocks]
+        return any(covers(statement, span) and _is_sure(statement, span) for statement in simple for span in spans)
+
     def leaves_out(self, place: Place) -> bool:
         """Whether a place is in a function that is called behind such places alone."""
         return _covered(self._functions.get(place.file, ()), place)
+
+
+def _is_inside(span: facts.Span, other: facts.Span) -> bool:
+    return other[:2] <= span[:2] and span[2:] <= other[2:]
 
 
 def _covered(parts: Iterable[facts.Base], place: Place) -> bool:

@@ -28,8 +28,10 @@ def without_second_lines(index: WorkspaceIndex, findings: Iterable[Finding]) -> 
 
 
 def _is_second(finding: Finding, behind: BehindFailures) -> bool:
-    if finding.code in _AT_THE_END or PAST_HANDLER in finding.group:
+    if finding.code in _AT_THE_END:
         return behind.skips(finding.place)
+    if PAST_HANDLER in finding.group:
+        return behind.skips(finding.place) or any(behind.is_never_left(other.place) for other in finding.related)
     return finding.code in _OF_LINES and behind.leaves_out(finding.place)
 
 
