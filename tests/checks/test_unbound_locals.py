@@ -426,6 +426,8 @@ def test_a_branch_that_goes_on_to_the_read(judge: Judge):
         ("if message.data:", WARNS, "else:", "    side = 1", "print(side)  # here"),
         ("if message.data:", "    side = 1", "elif self.sub:", WARNS, "else:", "    side = 2", "print(side)  # here"),
         (*CHOICE, "    pass", "print(side)  # here"),
+        (*(line.replace("message.data", "self.side") for line in CHOICE), "    pass", "print(side)"),  # its own state
+        (*(line.replace("message.data", "self.side") for line in CHOICE), WARNS, "print(side)  # here"),
         (*CHOICE, WARNS, "    return", "print(side)"),
         (*CHOICE, "    raise ValueError(message.data)", "print(side)"),
         (*CHOICE, "    self.parser.error('neither')", "print(side)"),

@@ -5,7 +5,7 @@ Only a branch that is written down counts: whoever writes ``else:`` says that it
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.python_code.block_bindings import after
@@ -28,11 +28,11 @@ _LEAVING = frozenset(
 
 
 def past_branch(
-    graph: Graph, function: facts.Function, bound: Sequence[Block], reads: Collection[Reading]
+    graph: Graph, function: facts.Function, bound: Sequence[Block], reads: Sequence[Reading]
 ) -> tuple[facts.Name, facts.Span] | None:
     """The read of a variable to which a branch surely leads that gives it no value, as other branches do, and where
     that branch begins."""
-    reading = {block: name for block, name, surely in reads if surely and block not in bound}
+    reading = {block: name for block, name, surely in reversed(reads) if surely and block not in bound}
     later = after(bound) if reading else set[Block]()
     for chain in _chains(function.body) if reading else ():
         blocks = [{block for statement in branch for block in graph.at(statement)} for branch in chain.branches]
@@ -42,11 +42,22 @@ def past_branch(
             first = branch[0] if branch else None
             if first is None or isinstance(first, facts.Global) or any(block in inside for block in bound):
                 continue
+            if all(map(_is_pass, branch)) and all(_is_of_self(test) for test in chain.tests):
+                continue  # what the object sets itself is nothing else, as the branch has nothing to say of it
             starts = _starts(graph, first)
             read = None if later.intersection(starts) else _surely_read(graph, starts, bound, reading)
             if read is not None and read not in inside and not any(map(_may_leave, branch)):
                 return reading[read], first.span
     return None
+
+
+def _is_pass(statement: facts.Stmt) -> bool:
+    return isinstance(statement, facts.Jump) and statement.kind == "pass"
+
+
+def _is_of_self(test: facts.Expr) -> bool:
+    """Whether a condition asks for nothing but the object's own attributes: ``self.mode``."""
+    return all(name.startswith("self.") for name in _asked_for(test))
 
 
 class _Chain:
@@ -80,7 +91,7 @@ def _starts(graph: Graph, statement: facts.Stmt) -> list[Block]:
 
 
 def _surely_read(
-    graph: Graph, starts: Collection[Block], bound: Collection[Block], reading: Collection[Block]
+    graph: Graph, starts: Collection[Block], bound: Collection[Block], reading: Mapping[Block, facts.Name]
 ) -> Block | None:
     """The block, of some, that every way from others on comes to, with no assignment before."""
     if not starts:
@@ -90,7 +101,7 @@ def _surely_read(
         return None
     edges = (edge for block in clear for edge in block.edges if without_exceptions(edge))
     reads = [edge.target for edge in edges if edge.target in reading]
-    return min(reads, key=graph.blocks.index, default=None)
+    return min(reads, key=lambda block: reading[block].span, default=None)
 
 
 def _is_asked_before(function: facts.Function, chain: _Chain) -> bool:
