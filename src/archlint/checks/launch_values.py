@@ -10,11 +10,12 @@ from archlint.checks.folding import folds, with_other_places, with_others
 from archlint.checks.launch_arguments import told_as_left_out
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.texts_as_yaml import text_as_yaml
+from archlint.checks.texts_as_yaml import description_in_itself, misused_command, text_as_yaml
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch_files.argument_defaults import has_another_default
 from archlint.launch_files.foreign_launch_files import ForeignLaunchFile, foreign_launch_files
 from archlint.launch_files.launch_descriptions import misnamed_functions, wrong_descriptions
+from archlint.launch_files.misused_commands import descriptions_in_themselves, misused_commands
 from archlint.launch_files.texts_as_yaml import texts_as_yaml
 from archlint.launch_files.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.python_code.how_imported import import_of
@@ -75,6 +76,8 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         for file, wrong in misnamed_functions(system.workspace):
             yield _of_description(file, wrong)
         yield from map(text_as_yaml, texts_as_yaml(system.workspace))
+        yield from map(misused_command, misused_commands(system.workspace))
+        yield from (description_in_itself(*row) for row in descriptions_in_themselves(system.workspace))
 
 
 def _undefined(system: System, place: Place, name: str) -> Finding:

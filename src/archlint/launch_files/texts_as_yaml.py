@@ -58,34 +58,41 @@ def texts_as_yaml(workspace: WorkspaceIndex) -> Iterator[TextAsYaml]:
 def _commands(code: facts.Facts) -> Iterator[tuple[str, facts.Call]]:
     """The commands whose text is the value of a parameter of a node, each with its name."""
     classes = names_from_launch(code.body)
+    assigned = assigned_values(code)
+    for value in parameters_given(code, assigned):
+        for mapping in everything_in([value], facts.Mapping):
+            for key, given in zip(mapping.keys, mapping.values, strict=True):
+                command = once_assigned(given, assigned)
+                if not isinstance(key, facts.Literal) or key.text is None or not isinstance(command, facts.Call):
+                    continue
+                if classes.get(called_name(command)) == "Command" and prints_description(command, classes):
+                    yield key.text, command
+
+
+def assigned_values(code: facts.Facts) -> dict[str, list[facts.Expr]]:
+    """What a file assigns to each variable."""
     assigned: dict[str, list[facts.Expr]] = {}
     for assign in everything_in(code.body, facts.Assign):
         for target in assign.targets:
             assigned.setdefault(target.variable, []).append(assign.value)
-    for value in _parameters(code, assigned):
-        for mapping in everything_in([value], facts.Mapping):
-            for key, given in zip(mapping.keys, mapping.values, strict=True):
-                command = _once(given, assigned)
-                if not isinstance(key, facts.Literal) or key.text is None or not isinstance(command, facts.Call):
-                    continue
-                if classes.get(called_name(command)) == "Command" and _hands_on(command, classes):
-                    yield key.text, command
+    return assigned
 
 
-def _parameters(code: facts.Facts, assigned: dict[str, list[facts.Expr]]) -> Iterator[facts.Expr]:
+def parameters_given(code: facts.Facts, assigned: dict[str, list[facts.Expr]]) -> Iterator[facts.Expr]:
     """What stands in the lists of ``parameters=``, with the values of variables that are assigned once."""
     for call in everything_in(code.body, facts.Call):
         for argument in call.args:
             if argument.keyword == "parameters" and isinstance(argument.value, facts.Sequence):
-                yield from (_once(element, assigned) for element in argument.value.elements)
+                yield from (once_assigned(element, assigned) for element in argument.value.elements)
 
 
-def _once(value: facts.Expr, assigned: dict[str, list[facts.Expr]]) -> facts.Expr:
+def once_assigned(value: facts.Expr, assigned: dict[str, list[facts.Expr]]) -> facts.Expr:
+    """The value of a variable that is assigned once, or what stands there itself."""
     values = assigned.get(value.id, []) if isinstance(value, facts.Name) else []
     return values[0] if len(values) == 1 else value
 
 
-def _hands_on(command: facts.Call, classes: dict[str, str]) -> bool:
+def prints_description(command: facts.Call, classes: dict[str, str]) -> bool:
     """Whether a command prints a description as it is, or as xacro makes it."""
     first = command.args[0].value if command.args else None
     while isinstance(first, facts.Sequence) and first.elements:
@@ -100,4 +107,4 @@ def _says_xacro(call: facts.Call) -> bool:
     return any(literal.text == "xacro" for literal in everything_in([call], facts.Literal))
 
 
-__all__ = ["TextAsYaml", "texts_as_yaml"]
+__all__ = ["TextAsYaml", "assigned_values", "once_assigned", "parameters_given", "prints_description", "texts_as_yaml"]
