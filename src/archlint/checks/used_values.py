@@ -12,6 +12,7 @@ from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.array_truths import ArrayTruth, array_truths
 from archlint.python_code.empty_lists import ItemOfNothing, items_of_nothing
+from archlint.python_code.formatted_texts import WrongCount, wrong_counts
 from archlint.python_code.hidden_messages import HiddenMessage, hidden_messages
 from archlint.python_code.misused_kinds import Misuse, MisusedKind, misused_kinds
 from archlint.python_code.parameter_values import WrongParameter, wrong_parameters
@@ -47,6 +48,8 @@ def used_value_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _nothing(row))
         for sum_ in text_sums(system):
             yield from unless_uncalled(system, _text(sum_))
+        for count in wrong_counts(system.workspace):
+            yield from unless_uncalled(system, _count(count))
         for parameter in wrong_parameters(system.workspace):
             yield from unless_uncalled(system, _parameter(parameter))
         for default in refused_defaults(system.workspace):
@@ -118,6 +121,24 @@ def _nothing(row: UsedNothing) -> Finding:
     )
     tests = row.use in (Use.TESTS, Use.TESTS_NOT)
     return replace(diagnostic, severity=Severity.WARNING) if tests else diagnostic
+
+
+def _count(row: WrongCount) -> Finding:
+    places = "one place" if row.places == 1 else f"{row.places or 'no'} places"
+    values = "one value" if row.values == 1 else f"{row.values or 'no'} values"
+    what = f"{places} for {values}"
+    cure = "write as many places as there are values"
+    if row.name:
+        what, cure = f"a place for '{row.name}', which no argument is called", f"give it: {row.name}=…"
+    return finding(
+        "API001",
+        row.place,
+        f"the text has {what}: this line raises {row.error}",
+        help=cure,
+        identity=("places", row.error, row.name),
+        group=(row.place.file, "places"),
+        fails=True,
+    )
 
 
 def _parameter(row: WrongParameter) -> Finding:
