@@ -561,6 +561,21 @@ EVERYWHERE = [
 ]
 
 
+@pytest.mark.parametrize(
+    ("beside", "told"),
+    [
+        ([], 1),  # the meshes have moved
+        (["meshes/visual/base.stl"], 0),  # the mesh to look at, and the one to collide with
+        (["meshes/visual/README.md", "meshes/collision/README.md"], 1),
+    ],
+)
+def test_a_file_of_the_same_name_in_a_folder_that_goes_with_it(findings, beside: list[str], told: int):
+    launch = '<node pkg="robot" exec="talker"><param name="mesh" value="package://robot/meshes/visual/arm.stl"/></node>'
+    files = dict.fromkeys(["meshes/collision/arm.stl", "meshes/collision/base.stl", *beside], "solid\n")
+    found = findings("LCH004", launch, **files)
+    assert ["did you mean" in row.message for row in found] == [True] * told
+
+
 @pytest.mark.parametrize("action", EVERYWHERE)
 def test_a_file_wherever_it_is_named(findings, action):
     launch = {"launch/py.launch.py": IN_PYTHON.format(action=action)}

@@ -34,7 +34,8 @@ def names_beside(workspace: WorkspaceIndex, package: str, path: str) -> list[str
 
 
 def namesake(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
-    """The only file of a package, below its folder, that has the name of a missing one, in another folder."""
+    """The only file of a package, below its folder, that has the name of a missing one, in another folder.  None in
+    folders that go together, as ``visual`` and ``collision`` of meshes do: it is the other one of a pair."""
     installs = workspace.installs.get(package)
     if installs is None:
         return None
@@ -44,7 +45,18 @@ def namesake(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
         for file in workspace.tree.files_below(top)
         if posixpath.basename(file) == name and not workspace.roles.is_trial(file)
     ]
-    return files[0] if len(files) == 1 else None
+    return files[0] if len(files) == 1 and not _go_together(workspace, installs.folder, path, files[0]) else None
+
+
+def _go_together(workspace: WorkspaceIndex, top: str, path: str, other: str) -> bool:
+    """Whether the folders of two paths below a package have another file of one name and of their ending."""
+    ending = posixpath.splitext(path)[1]
+    folders = [posixpath.normpath(posixpath.join(top, posixpath.dirname(each))) for each in (path, other)]
+    names = [
+        {posixpath.basename(file) for file in workspace.tree.files_below(folder) if posixpath.dirname(file) == folder}
+        for folder in folders
+    ]
+    return any(name.endswith(ending) for name in names[0] & names[1] - {posixpath.basename(path)})
 
 
 def path_of_these_parts(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
