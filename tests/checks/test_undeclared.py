@@ -648,7 +648,9 @@ def test_circles_through_one_shared_package_are_one_finding(lint: Lint):
         "packages depend on each other in a circle: arm → robot → arm; 'arm' uses 'robot' here without declaring it; "
         "2 more packages use 'robot' in a circle, too"
     )
-    assert found.help == "move what both need into a separate package"
+    assert found.help == (
+        "move the launch files of 'robot' that use 'arm' into a package of their own, such as robot_bringup"
+    )
     assert [one.place.file for one in found.related] == [
         "robot/launch/robot.launch.xml",
         "leg/leg/a.py",
@@ -656,6 +658,18 @@ def test_circles_through_one_shared_package_are_one_finding(lint: Lint):
     ]
     (alone,) = lint(shared("arm"), code="PKG003")
     assert alone.message.endswith("'arm' uses 'robot' here without declaring it")
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"robot/robot/tool.py": node("from arm.limits import FAR\nprint(FAR)"), "arm/arm/limits.py": "FAR = 1.0\n"},
+        {"robot/urdf/it.xacro": "<robot><include file='$(find arm)/urdf/arm.xacro'/></robot>"},
+    ],
+)
+def test_a_circle_that_moving_launch_files_does_not_end(lint: Lint, more: dict[str, str]):
+    (found,) = lint({**shared("arm"), **more}, code="PKG003")
+    assert "bringup" not in (found.help or "")
 
 
 @pytest.mark.parametrize(

@@ -131,6 +131,8 @@ def _undeclared(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> F
     copies = _copies(workspace, steps, needs)
     idle = _idle_step(workspace, others, needs)
     advice = f"remove {copies[0]}: it is a copy of this file" if copies else _cure(workspace, package, {other: here})
+    is_shared = advice == _SHARED and not idle
+    advice = (_cure_elsewhere(workspace, others, needs) or advice) if is_shared else advice
     return finding(
         "PKG003",
         here,
@@ -139,7 +141,7 @@ def _undeclared(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> F
         help=f"remove the dependency of '{idle[0]}' on '{idle[1]}': nothing in '{idle[0]}' uses it" if idle else advice,
         related=[Related(needs[start][end], f"'{start}' depends on '{end}' here") for start, end in others],
         identity=tuple(sorted(names[1:])),
-        group=(other,) if not idle and advice == _SHARED else (),
+        group=(other,) if is_shared else (),
     )
 
 
@@ -207,6 +209,18 @@ def _cure(workspace: WorkspaceIndex, package: str, used: Mapping[str, Place]) ->
     return _SHARED
 
 
+def _cure_elsewhere(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> str | None:
+    """What ends a circle at another step than the first: launch files alone need a package there."""
+    for package, other in steps:
+        use = needs[package][other]
+        if not _are_of_launch([use]) or _are_included_elsewhere(workspace, package, {use.file}):
+            continue
+        if not descriptions_that_find(workspace, package, [other]):
+            its = f"the launch files of '{package}' that use '{other}'"
+            return f"move {its} into a package of their own, such as {package}_bringup"
+    return None
+
+
 def _are_included_elsewhere(workspace: WorkspaceIndex, package: str, files: set[str]) -> bool:
     """Whether another package includes one of some launch files of a package."""
     return any(
@@ -249,7 +263,9 @@ def _used(workspace: WorkspaceIndex, options: Options) -> dict[str, dict[str, Pl
 
 
 def _first(uses: list[Use], workspace: WorkspaceIndex) -> dict[str, Place]:
+    """The first use of each package of the workspace; one in a launch file only where there is no other."""
     kept = [use for use in reversed(uses) if use.needed in workspace.packages]
+    kept.sort(key=lambda use: not _are_of_launch([use.place]))  # what code needs is what counts
     return {
         use.needed: named_at(workspace, use.place, use.needed) if use.how == "takes files of" else use.place
         for use in kept
