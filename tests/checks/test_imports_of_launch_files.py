@@ -53,6 +53,50 @@ def test_imports_that_find_nothing(findings, line, message):
 
 
 @pytest.mark.parametrize(
+    ("line", "module", "meant"),
+    [
+        (
+            "from ament_python import get_package_share_directory",
+            "module ament_python",
+            "ament_index_python.packages",
+        ),
+        (
+            "from robot_index.packages import PackageNotFoundError, get_package_prefix",
+            "package robot_index",
+            "ament_index_python.packages",
+        ),
+        (
+            "from launch_actions import DeclareLaunchArgument, LogInfo",
+            "module launch_actions",
+            "launch.actions",
+        ),
+    ],
+)
+def test_names_of_ros_from_a_module_that_is_nowhere(findings, line: str, module: str, meant: str):
+    (told,) = findings("API006", **files(line))
+    assert told.message == f"there is no {module}: the import fails; the module is {meant}"
+    assert told.help == f"write `from {meant} import …`"
+
+
+@pytest.mark.parametrize(
+    ("line", "more"),
+    [
+        # Some of the names are of another module.
+        ("from robot_index import get_package_prefix, arms", {}),
+        ("from robot_index import arms", {}),
+        ("from robot_index import get_package_prefix", {"requirements.txt": "robot-index\n"}),
+        ("from robot.index import get_package_prefix", {"robot/index.py": "def get_package_prefix():\n    pass\n"}),
+        (
+            "try:\n    from robot_index import get_package_prefix\nexcept ImportError:\n    get_package_prefix = None",
+            {},
+        ),
+    ],
+)
+def test_names_of_ros_that_another_module_may_have(findings, line: str, more: dict[str, str]):
+    assert findings("API006", **files(line, **more)) == []
+
+
+@pytest.mark.parametrize(
     ("line", "more"),
     [
         ("from robot.tools import arms", {}),

@@ -815,6 +815,37 @@ def test_a_package_that_a_launch_file_names_and_that_is_nowhere(lint: Lint):
     assert (found.fix, found.place.line) == (None, 8)
 
 
+FOLDER = "get_package_share_directory('secret_models')"
+
+
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        (f"FOLDER = {FOLDER}", 1),
+        (f"def load():\n    return {FOLDER} + '/model.pt'", 1),
+        # It may do without the package, or without the branch.
+        (f"try:\n    FOLDER = {FOLDER}\nexcept Exception:\n    FOLDER = '.'", 0),
+        (f"if SIMULATED:\n    FOLDER = {FOLDER}", 0),
+        ("FOLDER = get_package_share_directory('nav2_bringup')", 0),
+        ("FOLDER = get_package_share_directory('talk')", 0),
+        ("FOLDER = 'secret_models'", 0),
+    ],
+)
+def test_a_package_that_a_node_looks_for_and_that_is_nowhere(lint: Lint, lines: str, told: int):
+    index = "from ament_index_python.packages import get_package_share_directory"
+    files = {
+        "talk/package.xml": manifest("talk", *depends("rclpy", "ament_index_python")),
+        "talk/talk/a.py": f"SIMULATED = True\n{node(index)}\n{lines}\n",
+    }
+    found = lint(files)
+    assert [row.message for row in found] == [
+        "package 'talk' looks for the folder of 'secret_models', which is neither in this workspace nor in rosdistro, "
+        "and which its package.xml does not declare"
+    ] * told
+    declared = manifest("talk", *depends("rclpy", "ament_index_python", "secret_models"))
+    assert lint(files | {"talk/package.xml": declared}) == []
+
+
 @pytest.mark.parametrize(
     ("installed", "include", "told"),
     [

@@ -12,13 +12,14 @@ from archlint.analysis.kept import kept
 from archlint.checks.registry import Options
 from archlint.finding import Place
 from archlint.launch.kinds import StartedKind
+from archlint.packaging.absent_packages import is_from_nowhere
 from archlint.packaging.build_dependencies import packages_to_declare
 from archlint.packaging.cpp_includes import packages_of_headers
 from archlint.packaging.imports import imports_at_start
 from archlint.packaging.interface_dependencies import not_handed, types_of_others
 from archlint.packaging.launch_dependencies import packages_of_files, packages_of_includes, runs_of_programs
 from archlint.packaging.manifests import package_around
-from archlint.packaging.optional_packages import optional_packages
+from archlint.packaging.optional_packages import optional_packages, packages_looked_up
 from archlint.packaging.plugin_packages import packages_of_plugins
 from archlint.records import dataclass
 from archlint.ros import packages
@@ -39,6 +40,7 @@ How = Literal[
     "uses types of",
     "includes a launch file of",
     "takes files of",
+    "looks for the folder of",
     "includes headers of",
     "runs the program",
     "loads a plugin of",
@@ -74,7 +76,7 @@ def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, l
     by_package: dict[str, list[Use]] = {}
     known = _Known(workspace, options)
     at_run_time = {*_imported(workspace), *_launched(workspace), *_in_interfaces(workspace), *_of_launch(workspace)}
-    at_run_time |= {*_loaded(workspace)}
+    at_run_time |= {*_loaded(workspace), *_looked_up(workspace)}
     for use in sorted({*at_run_time, *_in_cpp(workspace), *_in_tests(workspace)}):
         package = known.home(use.place.file)
         if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
@@ -294,6 +296,15 @@ def _loaded(workspace: WorkspaceIndex) -> Iterator[Use]:
     for place, needed in used:
         if needed not in there and not _beside_the_code(place.file):
             yield Use(place, needed, "loads a plugin of")
+
+
+def _looked_up(workspace: WorkspaceIndex) -> Iterator[Use]:
+    """The packages that are nowhere and whose folders nodes look for: of others they may do without the files."""
+    for file, code in workspace.code.judged():
+        if file.kind == "python" and file.package is not None and not _beside_the_code(file.relative):
+            for needed, span in packages_looked_up(workspace, file.relative) or ():
+                if is_from_nowhere(workspace, needed) and needed not in optional_packages(code):
+                    yield Use(Place(file.relative, *span), needed, "looks for the folder of")
 
 
 def _in_cpp(workspace: WorkspaceIndex) -> Iterator[Use]:

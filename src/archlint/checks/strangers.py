@@ -25,7 +25,14 @@ if TYPE_CHECKING:
     from archlint.workspace.model import Package
 
 _STOPS: frozenset[How] = frozenset(
-    {"imports", "imports a module of", "starts a node of", "includes a launch file of", "takes files of"}
+    {
+        "imports",
+        "imports a module of",
+        "starts a node of",
+        "includes a launch file of",
+        "takes files of",
+        "looks for the folder of",
+    }
 )
 """Uses at which a program or launch stops without the package."""
 

@@ -211,6 +211,7 @@ _FIRST: dict[How, str] = {
     "uses types of": "a type of '{}' is used here",
     "includes a launch file of": "a launch file of '{}' is included here",
     "takes files of": "a file of '{}' is named here",
+    "looks for the folder of": "the folder of '{}' is looked for here",
     "includes headers of": "a header of '{}' is included here",
     "loads a plugin of": "a plugin of '{}' is named here",
     "runs the program": "the program '{}' is run here",

@@ -18,7 +18,7 @@ from archlint.packaging.entry_points import is_on_disk
 from archlint.packaging.generated_files import is_ignored, submodule_around
 from archlint.packaging.imports_by_path import absolute, installed_name, module_of_package
 from archlint.packaging.imports_of_launch_files import is_installed_package, is_only_beside
-from archlint.packaging.mistaken_imports import interfaces_of, kind_left_out, near_module
+from archlint.packaging.mistaken_imports import interfaces_of, kind_left_out, module_of_ros, near_module
 from archlint.packaging.renamed_packages import present_name
 from archlint.packaging.told_scripts import is_told_to_run
 from archlint.place import Place
@@ -106,6 +106,10 @@ def _of_launch_file(
         yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
     elif beside and is_only_beside(workspace, file, module):
         yield MissingImport(place, module, by_launch=True)
+    elif not beside:
+        return
+    elif (present := module_of_ros(workspace, file, module, names)) is not None:
+        yield MissingImport(place, module, present=present, names=tuple(names))
 
 
 def _compiled_part(file: SourceFile) -> str:
@@ -120,6 +124,7 @@ def _nowhere(
     present = present_name(workspace, file, module, names) or interfaces_of(workspace, file, module, names)
     if present is None and file.relative in _by_console_scripts(workspace):
         present = installed_name(workspace, file, module, names) or module_of_package(workspace, file, module, names)
+    present = present or module_of_ros(workspace, file, module, names)
     if present is not None:
         path = workspace.code.file_of_import(file.relative, present)
         outside = path is not None and workspace.package_of(path) is None

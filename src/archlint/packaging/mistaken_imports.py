@@ -1,5 +1,5 @@
 """Imports from packages that are nowhere, where another name was meant: that of the package of the workspace that has
-these interfaces, or a known module's of which one letter differs."""
+these interfaces, of the module of ROS that has these names, or a known module's of which one letter differs."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
+from archlint.libraries.module_names import modules_with
 from archlint.packaging.absent_packages import is_wanted_from_elsewhere
+from archlint.packaging.optional_packages import LOOK_UPS
 from archlint.packaging.renamed_packages import is_unknown, modules_imported
 from archlint.ros import packages, python_modules
 from archlint.suggestions import distance
@@ -69,6 +71,26 @@ def near_module(workspace: WorkspaceIndex, file: SourceFile, module: str) -> str
     return f"{slips[0]}{dot}{rest}" if len(slips) == 1 else None
 
 
+_NO_MODULES = frozenset({"ament_cmake", "ament_index", "ament_index_cpp", "ament_python"})
+"""Packages and types of builds that no module of Python has the name of."""
+_OF_INDEX = frozenset({"PackageNotFoundError", *LOOK_UPS})
+
+
+def module_of_ros(workspace: WorkspaceIndex, file: SourceFile, module: str, names: Sequence[str]) -> str | None:
+    """The module of ament's index, or of launch, that has all names which a file imports from a package that is
+    nowhere."""
+    top = module.partition(".")[0]
+    if not names or not (top in _NO_MODULES or is_unknown(workspace, file, module)):
+        return None
+    if workspace.code.path_of_import(file.relative, module) is not None or top in workspace.code.modules:
+        return None
+    if _OF_INDEX.issuperset(names):
+        return "ament_index_python.packages"
+    having = [modules_with(name, "launch") for name in names]
+    common = [path for path in having[0] if all(path in others for others in having)]
+    return common[0] if common else None
+
+
 def _is_slip(name: str, other: str) -> bool:
     """Whether a name is another one by mistake: letters have changed places, or it is long and has one wrong inside.
     Names of families begin or end otherwise, or have other digits: ``gpytorch``, ``turtlebot3_msgs``."""
@@ -113,4 +135,4 @@ def _by_length() -> dict[int, list[str]]:
     return by_length
 
 
-__all__ = ["interfaces_of", "kind_left_out", "near_module"]
+__all__ = ["interfaces_of", "kind_left_out", "module_of_ros", "near_module"]

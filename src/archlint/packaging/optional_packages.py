@@ -1,14 +1,16 @@
-"""The packages that code of Python looks for and can do without: the look-up is tried, and code goes on without it."""
+"""The packages whose folders code of Python looks for: which it needs, and which it can do without, as it tries the
+look-up and goes on."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from archlint.analysis.kept import kept_for_each_file
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, once_for
 from archlint.syntax.walk import called_name
 
-_LOOK_UPS = frozenset({"get_package_share_directory", "get_package_share_path", "get_package_prefix"})
+LOOK_UPS = frozenset({"get_package_share_directory", "get_package_share_path", "get_package_prefix"})
 _CAUGHT = frozenset({"PackageNotFoundError", "KeyError", "LookupError", "Exception", "BaseException"})
 """What such a look-up raises, and the classes that this derives from."""
 _ENDS = frozenset({"exit", "_exit", "abort"})
@@ -24,11 +26,33 @@ def optional_packages(file_facts: facts.Facts) -> frozenset[str]:
     for call in everything_in(file_facts.body, facts.Call):
         match call.args[:1]:
             case [facts.Argument(value=facts.Literal(value=str(name)))]:
-                if called_name(call) in helpers or (called_name(call) in _LOOK_UPS and call.span in tried):
+                if called_name(call) in helpers or (called_name(call) in LOOK_UPS and call.span in tried):
                     optional.add(name)
-                elif called_name(call) in _LOOK_UPS:
+                elif called_name(call) in LOOK_UPS:
                     needed.add(name)
     return frozenset(optional - needed)
+
+
+@kept_for_each_file
+def packages_looked_up(file_facts: facts.Facts) -> list[tuple[str, facts.Span]]:
+    """The packages that a file looks for in ament's index by their names, wherever no condition stands before that."""
+    imports = (i for i in everything_in(file_facts.body, facts.ImportFrom) if i.module.startswith("ament_index_python"))
+    bound = {bound for i in imports for name, bound in i.names if name in LOOK_UPS}
+    if not bound:
+        return []
+    aside: list[facts.Call] = []
+    for branch in everything_in(file_facts.body, facts.If):
+        aside += everything_in([*branch.body, *branch.orelse], facts.Call)
+    for attempt in everything_in(file_facts.body, facts.Try):
+        aside += everything_in([attempt], facts.Call)
+    conditional = {call.span for call in aside}
+    looked: list[tuple[str, facts.Span]] = []
+    for call in everything_in(file_facts.body, facts.Call):
+        match call:
+            case facts.Call(func=facts.Name(id=name), args=[facts.Argument(value=facts.Literal(value=str(package)))]):
+                if name in bound and call.span not in conditional:
+                    looked.append((package, call.span))
+    return looked
 
 
 def _tolerant(body: Sequence[facts.Stmt], may_return: bool = False) -> Iterator[facts.Try]:
@@ -51,10 +75,10 @@ def _is_helper(function: facts.Function) -> bool:
     """Whether a function looks for a package that it is given, and says if there is none."""
     given = {param.name for param in function.params}
     return any(
-        called_name(call) in _LOOK_UPS and any(argument.value.variable in given for argument in call.args)
+        called_name(call) in LOOK_UPS and any(argument.value.variable in given for argument in call.args)
         for attempt in _tolerant(function.body, True)
         for call in everything_in(attempt.body, facts.Call)
     )
 
 
-__all__ = ["optional_packages"]
+__all__ = ["LOOK_UPS", "optional_packages", "packages_looked_up"]
