@@ -12,12 +12,13 @@ from archlint.checks.launched_names import is_given_by_launch
 from archlint.checks.misspelt_parameters import MISSPELT, is_misspelt
 from archlint.checks.registry import finding
 from archlint.finding import Finding
+from archlint.launch_files.misplaced_parameters import misplaced_values
 from archlint.model import ExecutorKind
 from archlint.suggestions import hint, listed_for, nearest
 
 if TYPE_CHECKING:
     from archlint.place import Place
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Node
 
 
@@ -56,6 +57,21 @@ def unknown_to_externals(system: System) -> Iterator[Finding]:
             yield _finding(node, name, setting.place, _always_declared_by(node) - given)
 
 
+def misplaced_for_controllers(workspace: WorkspaceIndex) -> Iterator[Finding]:
+    """Values for controllers of ros2_controllers that stand beside the map which they belong into."""
+    for row in misplaced_values(workspace):
+        above = row.meant.removesuffix(f".{row.name}")
+        yield finding(
+            "PRM004",
+            row.place,
+            f"{row.owner} declares no parameter '{row.name}', so this value has no effect; did you mean '{row.meant}'?",
+            help=f"write it below '{above}:'",
+            identity=(row.owner, row.name),
+            group=("misplaced", row.place.file, row.owner, row.name),
+            meant=row.meant,
+        )
+
+
 def _always_declared_by(node: Node) -> set[str]:
     """The names that a node declares in each distribution that it is read in, and without conditions."""
     return {row.name.text for row in node.declared if row.name.text is not None and not row.conditional}
@@ -83,4 +99,4 @@ def _finding(node: Node, name: str, place: Place, free: set[str]) -> Finding:
     )
 
 
-__all__ = ["has_unseen_nodes", "unknown_to_externals"]
+__all__ = ["has_unseen_nodes", "misplaced_for_controllers", "unknown_to_externals"]
