@@ -25,15 +25,16 @@ def skipped_ending(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _finding(row: SkippedEnding) -> Finding:
+    spin = "loop" if row.in_loop else "spin"
     what = f"{row.name}(), which {row.effect}," if row.name else f"this line, which {row.effect},"
-    cure = "put it in the finally of a try around the spin"
+    cure = f"put it in the finally of a try around the {spin}"
     if row.effect == "publishes":
         cure += ", and start with rclpy.init(signal_handler_options=SignalHandlerOptions.NO): rclpy runs on until then"
     done = [] if row.done_at is None else [Related(row.done_at, f"{row.name}() {row.effect} here")]
     return finding(
         "EXE017",
         row.place,
-        f"{what} is not run after Ctrl-C: the spin on line {row.spin.line} ends with a KeyboardInterrupt then",
+        f"{what} is not run after Ctrl-C: the {spin} on line {row.spin.line} ends with a KeyboardInterrupt then",
         help=cure,
         related=[Related(row.spin, "nothing catches what Ctrl-C raises here"), *done],
         identity=("ending", row.name, row.effect),

@@ -2,7 +2,8 @@
 with which a spin ends then.
 
 Source: as of late_publications.py.  What stands behind the spin is run only where a line of the program shuts rclpy
-down, so that the spin returns.
+down, so that the spin returns.  Tried with rclpy of jazzy: SIGINT ends ``spin()`` of rclpy and of an executor, and
+loops with ``spin_once()`` or ``sleep()``, with KeyboardInterrupt each time.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from archlint.python_code.own_calls import FunctionInFile, function_meant, metho
 from archlint.python_code.second_shutdowns import OF_SIGNALS, leaves, targets_of_threads
 from archlint.records import dataclass
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in
+from archlint.syntax.parts import everything_in, parts_of
 from archlint.syntax.walk import calls_in, given_to
 
 if TYPE_CHECKING:
@@ -28,6 +29,7 @@ _DEPTH = 2
 """Through how many methods of an object that call each other it is looked."""
 _AT_EXIT = frozenset({"KeyboardInterrupt", "atexit", "on_shutdown"})
 """Words of a program that has another way to do something at its end."""
+_WAIT = frozenset({"sleep", "spin_once"})
 _SHUT_DOWN = frozenset({"shutdown", "try_shutdown"})
 _SAVE = frozenset(
     {
@@ -47,6 +49,8 @@ class SkippedEnding:
     spin: Place
     effect: str
     """What it does, in words."""
+    in_loop: bool = False
+    """Whether it is a loop that spins, ``while rclpy.ok()``, and not one call."""
     name: str = ""
     """The function or method that does it, where that is not the call itself."""
     done_at: Place | None = None
@@ -55,6 +59,7 @@ class SkippedEnding:
 @dataclass(frozen=True)
 class _Ending:
     spin: facts.Span
+    in_loop: bool
     calls: tuple[tuple[facts.Span, str], ...]
     """The calls behind it, in order, each with what it does itself."""
 
@@ -63,23 +68,23 @@ def skipped_endings(workspace: WorkspaceIndex) -> Iterator[SkippedEnding]:
     """The first such call behind each spin in the files that were asked for, outside of test code."""
     for path in workspace.python_files(mentioning="rclpy"):
         for ending in _endings(workspace, path) or ():
-            rows = (_skipped(workspace, path, ending.spin, *call) for call in ending.calls)
+            rows = (_skipped(workspace, path, ending, *call) for call in ending.calls)
             first = next((row for row in rows if row is not None), None)
             if first is not None:
                 yield first
 
 
 def _skipped(
-    workspace: WorkspaceIndex, path: str, spin: facts.Span, span: facts.Span, effect: str
+    workspace: WorkspaceIndex, path: str, ending: _Ending, span: facts.Span, effect: str
 ) -> SkippedEnding | None:
-    place, at = Place(path, *span), Place(path, *spin)
+    place, spin = Place(path, *span), Place(path, *ending.spin)
     if effect:
-        return SkippedEnding(place, at, effect)
+        return SkippedEnding(place, spin, effect, ending.in_loop)
     name, cls, meant = _meant(workspace, path, span)
     if meant is None or _ends_itself(workspace, meant.file):
         return None
     done = _done_in(workspace, meant, cls, _DEPTH)
-    return None if done is None else SkippedEnding(place, at, done[0], name, done[1])
+    return None if done is None else SkippedEnding(place, spin, done[0], ending.in_loop, name, done[1])
 
 
 def _meant(
@@ -161,7 +166,7 @@ def _in_block(block: Sequence[facts.Stmt], publishers: frozenset[str]) -> Iterat
         spin = _spin(statement)
         if spin is not None:
             calls = tuple((call.span, _effect(call, publishers)) for call in _behind(block[at + 1 :]))
-            yield _Ending(spin.span, calls)
+            yield _Ending(spin.span, isinstance(statement, facts.While), calls)
             return
 
 
@@ -177,10 +182,20 @@ def _behind(block: Sequence[facts.Stmt]) -> Iterator[facts.Call]:
 
 
 def _spin(statement: facts.Stmt) -> facts.Call | None:
+    """The call that spins until the end, or the condition of a loop that does; no other way leads out of that."""
     match statement:
+        case facts.While(test=facts.Call(func=test) as asked, body=body, orelse=[]) if test.dotted == "rclpy.ok":
+            inside = [*parts_of(body)]
+            ends = any(isinstance(part, (facts.Return, facts.Try)) or _breaks(part) for part in inside)
+            waits = any(isinstance(part, facts.Call) and part.func.attribute in _WAIT for part in inside)
+            return asked if waits and not ends else None
         case facts.Expression(value=facts.Call(func=facts.Attribute(value=owner, attr="spin")) as call):
             return call if owner.variable == "rclpy" or "executor" in owner.last_name.lower() else None
     return None
+
+
+def _breaks(part: facts.Base) -> bool:
+    return isinstance(part, facts.Jump) and part.kind == "break"
 
 
 @kept_for_each_file
@@ -192,7 +207,7 @@ def _shuts_down_elsewhere(code: facts.Facts) -> bool:
     """Whether a function that does not spin itself shuts rclpy down: then the spin returns."""
     for function in everything_in(code.body, facts.Function):
         calls = [*everything_in(function.body, facts.Call)]
-        spins = any(call.func.attribute == "spin" for call in calls)
+        spins = any(call.func.attribute in ("spin", "spin_once") for call in calls)
         if not spins and any(_is_shutdown(call) for call in calls):
             return True
     return False
