@@ -87,6 +87,38 @@ def test_a_manager_that_knows_no_controller_at_all(findings):
     assert _told(findings, MANAGER.format("", "") + _spawner("legs"), controllers) == []
 
 
+NO_TYPES = """\
+controller_manager:
+  ros__parameters:
+    update_rate: 100
+arm_controller:
+  ros__parameters:
+    joints: [elbow]
+"""
+
+
+@pytest.mark.parametrize(
+    ("controllers", "launch", "told"),
+    [
+        (NO_TYPES, MANAGER.format("", "") + _spawner("arm_controller legs"), 1),
+        (NO_TYPES, MANAGER.format("", "") + _spawner("arm_controller --controller-type arm/Arm"), 0),
+        (NO_TYPES, MANAGER.format("", '<param from="/etc/types.yaml"/>') + _spawner("arm_controller"), 0),
+        (NO_TYPES, MANAGER.format(' args="--ros-args --params-file t.yaml"', "") + _spawner("arm_controller"), 0),
+        (NO_TYPES.replace("100\n", "100\n    arm_controller.type: a/Arm\n"), MANAGER.format("", ""), 0),
+        # Nothing there is for the manager.
+        (NO_TYPES.replace("controller_manager", "move_group"), MANAGER.format("", "") + _spawner("arm_controller"), 0),
+    ],
+)
+def test_a_file_with_the_values_of_a_controller_and_no_types(findings, controllers: str, launch: str, told: int):
+    rows = _told(findings, launch, controllers)
+    assert [row.message for row in rows] == [
+        "the controller manager gets no type of a controller 'arm_controller', so that spawning it fails"
+    ] * told
+    assert all(
+        row.help == "write `arm_controller: {type: …}` into the section of the controller manager" for row in rows
+    )
+
+
 MOVEIT = """\
 from launch_ros.actions import Node
 from moveit_configs_utils import MoveItConfigsBuilder

@@ -9,13 +9,15 @@ from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.launch_files.spawned_controllers import unknown_controllers
+from archlint.launch_files.spawned_controllers import UnknownController, unknown_controllers
 from archlint.suggestions import listed, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _STARTED = "the controller manager is started here"
+_NONE = "none has a type"
+"""The group of what is spawned where the controller manager gets no type at all: the cause is one file."""
 _IN_SIMULATOR = "the controller manager in the simulator gets its file here"
 
 
@@ -31,17 +33,27 @@ def unknown_controller(system: System, options: Options) -> Iterator[Finding]:
             place,
             f"the controller manager gets no type of a controller '{spawned.name}', so that spawning it fails"
             + (meant(f"'{near}'") if near is not None else ""),
-            help=f"write '{near}'" if near is not None else f"spawn one that it knows: {listed(spawned.known)}",
+            help=_help(spawned, near),
             related=[*spawns, Related(spawned.manager, _IN_SIMULATOR if spawned.simulated else _STARTED)],
             identity=(spawned.name,),
-            group=(place.file, spawned.name),
+            group=(place.file, spawned.name if spawned.known else _NONE),
             meant=near or "",
         )
 
 
+def _help(spawned: UnknownController, near: str | None) -> str:
+    if near is not None:
+        return f"write '{near}'"
+    if not spawned.known:
+        return f"write `{spawned.name}: {{type: …}}` into the section of the controller manager"
+    return f"spawn one that it knows: {listed(spawned.known)}"
+
+
 @folds("LCH012")
 def _of_one_controller(findings: Sequence[Finding]) -> Finding:
-    """One finding for a controller of a file, however many spawners name it."""
+    """One finding for a controller of a file, however many spawners name it, and for all where none has a type."""
+    if _NONE in findings[0].group:
+        return with_places(findings, "what is spawned here has no type, either")
     return with_places(findings, "it is spawned here, too")
 
 

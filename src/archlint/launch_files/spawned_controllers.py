@@ -66,12 +66,13 @@ def unknown_controllers(system: System) -> Iterator[UnknownController]:
         return
     [manager] = managers
     known = _controllers(workspace, manager)
-    if not known:
+    if known is None:
         return
+    without_type = frozenset[str]() if known or manager.may_read_arguments_for_ros else _sections(workspace, manager)
     for process in started:
         if _is_spawner(process) and process.branch_arms >= manager.branch_arms:
             for name in _names(process):
-                if name not in known:
+                if name not in known and (known or name in without_type):
                     place = process.places.get("arguments", process.place)
                     named = _named_at(workspace, place, name)
                     yield UnknownController(place, name, tuple(sorted(known)), manager.place, named)
@@ -125,8 +126,17 @@ def _named_at(workspace: WorkspaceIndex, spawned: Place, name: str) -> Place | N
     return None
 
 
-def _controllers(workspace: WorkspaceIndex, manager: Started) -> set[str]:
-    """The controllers that have a type; none where there may be others."""
+def _sections(workspace: WorkspaceIndex, manager: Started) -> frozenset[str]:
+    """The names of the nodes that the parameter files of a manager are for, if it is one of them itself: so its types
+    would be there, too."""
+    files = (given.reference.source for given in manager.parameters if isinstance(given, ParameterFileUse))
+    read = [workspace.parameters_of(file) for file in files if file is not None]
+    keys = frozenset(section.key.rpartition("/")[2] for facts in read for section in facts.sections)
+    return keys if _MANAGER[0] in keys else frozenset()
+
+
+def _controllers(workspace: WorkspaceIndex, manager: Started) -> set[str] | None:
+    """The controllers that have a type; None where there may be others."""
     known: set[str] = set()
     for given in manager.parameters:
         match given:
@@ -136,14 +146,14 @@ def _controllers(workspace: WorkspaceIndex, manager: Started) -> set[str]:
             case ParameterFileUse(changes=()) if given.reference.source is not None:
                 for section in workspace.parameters_of(given.reference.source).sections:
                     if "*" in section.key and section.key not in ("/**", "/**/controller_manager"):
-                        return set()
+                        return None
                     for entry in section.entries:
                         if entry.name == "type":
                             known.add(section.key.rpartition("/")[2])
                         elif entry.name.endswith(_LAST):
                             known.add(entry.name.removesuffix(_LAST))
             case _:
-                return set()
+                return None
     return known
 
 
