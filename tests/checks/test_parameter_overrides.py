@@ -553,7 +553,8 @@ def main():
 
 def test_of_two_nodes_that_declare_nothing_neither_is_named(findings):
     (told,) = findings("{'gain': 1.0}", talker=TWO_NODES)
-    assert told.message == "'talker' declares no parameter 'gain', so this value has no effect"
+    assert told.message == "the program 'talker' declares no parameter 'gain', so this value has no effect"
+    assert told.related == ()
 
 
 CONTROLLER = """\

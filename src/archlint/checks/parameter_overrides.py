@@ -224,7 +224,7 @@ def _never_used(
         setting.place,
         f"{subject} declares no parameter '{setting.name}', so this value has no effect{hint(near)}",
         help=f"it declares {names}" if names else "declare it in the node, or remove it",
-        related=[defined],
+        related=[] if by_program else [defined],  # one of its nodes, and perhaps a helper's
         node=node.name,
         identity=(subject, setting.name),
         # What names that are misspelt, and those in a misspelt section, have in common is advice of its own.
@@ -236,7 +236,7 @@ def _never_used(
 def _process(node: Node) -> str:
     """What a launch file sets a value on that reaches several nodes, none of which declares anything: their program."""
     executable = None if node.started is None else node.started.executable.text
-    return node.shown if executable is None else f"'{executable}'"
+    return node.shown if executable is None else f"the program '{executable}'"
 
 
 def _cause(setting: Setting, blueprint: Blueprint) -> tuple[str, ...]:
