@@ -119,6 +119,13 @@ def test_a_file_with_the_values_of_a_controller_and_no_types(findings, controlle
     )
 
 
+def test_controllers_of_which_none_has_a_type_are_one_finding(findings):
+    controllers = NO_TYPES + "leg_controller:\n  ros__parameters:\n    joints: [knee]\n"
+    spawners = f"{_spawner('arm_controller')}\n{_spawner('leg_controller')}"
+    (told,) = _told(findings, MANAGER.format("", "") + spawners, controllers)
+    assert [row.message for row in told.related][1:] == ["what is spawned here has no type, either"]
+
+
 MOVEIT = """\
 from launch_ros.actions import Node
 from moveit_configs_utils import MoveItConfigsBuilder
