@@ -198,3 +198,23 @@ def test_the_arguments_that_rospy_leaves_are_one_finding_with_the_rest_of_the_fi
     [finding] = judge("API002", FILE.format(line=lines))
     assert finding.message == "rclpy has no myargv(); another call in this file is of rospy, too"
     assert finding.help.endswith("; here use rclpy.utilities.remove_ros_args(args=sys.argv)")
+
+
+def test_methods_of_nodes_that_a_file_without_a_node_asks_rclpy_for(judge: Judge):
+    source = """
+    import rclpy
+    from std_msgs.msg import String
+
+
+    def main():
+        rclpy.init()
+        out = rclpy.create_publisher(String, 'out', 10)  # here
+        rclpy.create_subscription(String, 'in', out.publish, 10)
+        rclpy.spin(None)
+
+
+    main()
+    """
+    (finding,) = judge("API002", dedent(source))
+    assert finding.message == "rclpy has no 'create_publisher'; another line of the file asks for such"
+    assert finding.help == "use create_publisher() of a node"

@@ -149,6 +149,17 @@ def test_a_file_that_is_called_like_the_library_it_imports(
     assert bool(said("from lens import Lens", **{"robot/lens.py": own + "def focus():\n    pass\n"})) is told
 
 
+@pytest.mark.parametrize(("listed", "told"), [("'robot'", 0), ("'robot', 'scripts'", 1)])
+def test_a_folder_of_scripts_that_is_installed_as_no_package(
+    said: Callable[..., list[Finding]], listed: str, told: int
+) -> None:
+    files = {
+        "setup.py": SETUP.replace("['robot']", f"[{listed}]"),
+        "scripts/__init__.py": "import rclpy\nfrom .drive import go\n",
+    }
+    assert len(said("", **files, **{"scripts/turn.py": "import rclpy\n"})) == told
+
+
 def test_a_folder_of_modules_beside_the_python_package(findings: Callable[..., list[Finding]]) -> None:
     launch = "from robot.scripts.ports import PORT\n\n\ndef generate_launch_description():\n    print(PORT)\n"
     files = {

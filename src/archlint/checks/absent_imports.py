@@ -21,6 +21,8 @@ _WANTS_A_NAME = frozenset({"rclpy.logging.get_logger"})
 """Functions that have another one's name and fail without the argument that this does without."""
 OF_MODULE = "module"
 """The group of findings that are about one name of a module."""
+OF_NODES = "methods of nodes"
+"""The group of findings about methods of nodes that a file calls as functions of rclpy: it has no node."""
 
 
 def absent_import_findings(system: System, told: Collection[tuple[str, int]]) -> Iterator[Finding]:
@@ -47,11 +49,12 @@ def _no_name(file: str, absent: Absent) -> Finding:
     moved = modules_with(name, module)[:1]
     near = "" if moved else near_name(module, name)
     instead = instead_of(f"{module}.{name}")
-    if (
+    of_node = (
         not (moved or near or instead or absent.is_import)
         and module == "rclpy"
         and name in (attributes_of("rclpy.node.Node") or ())
-    ):
+    )
+    if of_node:
         instead = f"{name}() of a node"
     hint = f"; it is in {moved[0]}" if moved and not instead else meant(f"'{near}'" if near and not instead else "")
     return finding(
@@ -60,7 +63,7 @@ def _no_name(file: str, absent: Absent) -> Finding:
         f"{module} has no '{name}'{hint}",
         help=f"use {instead}" if instead else _cure(absent, moved[0] if moved else module, name if moved else near),
         identity=(f"{module}.{name}",),
-        group=(OF_MODULE, file, f"{module}.{name}"),
+        group=(OF_MODULE, file, OF_NODES) if of_node else (OF_MODULE, file, f"{module}.{name}"),
         meant=moved[0] if moved else near,
     )
 
@@ -112,4 +115,4 @@ def _failing(absent: Absent) -> str:
     return f"remove it, or name what there is: {what} fails when {when}"
 
 
-__all__ = ["OF_MODULE", "absent_import_findings"]
+__all__ = ["OF_MODULE", "OF_NODES", "absent_import_findings"]

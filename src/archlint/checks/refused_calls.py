@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.reach import judged_notes
-from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
+from archlint.checks.absent_imports import OF_MODULE, OF_NODES, absent_import_findings
 from archlint.checks.argument_words import cure_of_keywords, keywords_meant, quoted, what_does_not_fit
 from archlint.checks.attributes import (
     LEVELS,
@@ -225,6 +225,8 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
         return with_others(findings, "another call in this file is", "more calls in this file are", "like that")
     if findings[0].group[0] == OF_ROS_1:
         return of_one_port(findings)
+    if findings[0].group[-1] == OF_NODES:
+        return with_others(findings, "another line of the file asks", "more lines of the file ask", "for such")
     if findings[0].group[0] == OF_MODULE:
         return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
     return with_others(findings, "another call in this file does", "more calls in this file do", "the same")

@@ -78,6 +78,8 @@ def _missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
     for file, _ in workspace.code.judged():
         if file.kind not in _KINDS or file.package is None or workspace.roles.is_test(file.relative):
             continue
+        if _is_no_package(workspace, file):
+            continue
         for written, level, names, span in _imports(workspace, file.relative) or ():
             place, module = Place(file.relative, *span), absolute(file, written, level)
             compiled = _compiled_part(file)
@@ -87,6 +89,15 @@ def _missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
             beside = not level and span not in _of_scripts(workspace, file.relative)
             judged = _of_launch_file if file.kind == "launch_python" else _of_import
             yield from judged(workspace, file, module, names, place, beside)
+
+
+def _is_no_package(workspace: WorkspaceIndex, file: SourceFile) -> bool:
+    """Whether a file would make a package of a folder that setup.py installs as none, and that nothing imports: of
+    scripts, say."""
+    installs = workspace.installs.get(file.package or "")
+    if installs is None or installs.python is None or posixpath.basename(file.relative) != "__init__.py":
+        return False
+    return not installs.python.has(file.relative) and file.relative not in workspace.code.in_use
 
 
 def _of_import(

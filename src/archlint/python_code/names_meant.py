@@ -32,16 +32,16 @@ def node_class_meant(workspace: WorkspaceIndex, place: Place) -> str | None:
 
 
 def node_spun(workspace: WorkspaceIndex, place: Place) -> str:
-    """The variable of the only node that a function spins, where a name is asked there to be destroyed; empty for any
-    other name."""
+    """The variable of the only node that a function spins, where a name is asked there for its logger, or to be
+    destroyed; empty for any other name."""
     function = code_of(workspace).function_at(place)
     body = () if function is None else function.body
-    destroyed = any(
-        call.func.attribute == "destroy_node" and getattr(call.func.root, "span", None) == place.span
+    is_node = any(
+        call.func.attribute in ("destroy_node", "get_logger") and getattr(call.func.root, "span", None) == place.span
         for call in parts_of(body, facts.Call)
     )
     spun = {call.args[0].value.variable for call in parts_of(body, facts.Call) if _takes_a_node(call)}
-    return spun.pop() if destroyed and len(spun) == 1 else ""
+    return spun.pop() if is_node and len(spun) == 1 else ""
 
 
 def _is_of_nodes(cls: facts.Class) -> bool:
