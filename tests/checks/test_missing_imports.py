@@ -404,6 +404,10 @@ def test_a_slip_in_two_imports_is_one_finding(findings: Callable[..., list[Findi
     assert findings("API005", **files) == []
 
 
+def test_names_of_launch_in_a_module_that_is_nowhere(said: Callable[..., list[Finding]]) -> None:
+    assert said("from base_of_all import Node, LogInfo") == []
+
+
 def test_the_whole_import_is_advised(said: Callable[..., list[Finding]]) -> None:
     (finding,) = said("from rlcpy.node import Node")
     assert finding.help == "write `from rclpy.node import Node`"

@@ -135,12 +135,13 @@ def _nowhere(
     present = present_name(workspace, file, module, names) or interfaces_of(workspace, file, module, names)
     if present is None and file.relative in _by_console_scripts(workspace):
         present = installed_name(workspace, file, module, names) or module_of_package(workspace, file, module, names)
-    present = present or module_of_ros(workspace, file, module, names)
+    near = near_module(workspace, file, module)
+    if present is None and near is None:
+        present = module_of_ros(workspace, file, module, names)
     if present is not None:
         path = workspace.code.file_of_import(file.relative, present)
         outside = path is not None and workspace.package_of(path) is None
         return MissingImport(place, module, present="" if outside else present, outside=outside)
-    near = near_module(workspace, file, module)
     return MissingImport(place, module, near=near, names=tuple(names)) if near is not None else None
 
 

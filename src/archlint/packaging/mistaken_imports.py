@@ -77,8 +77,8 @@ _OF_INDEX = frozenset({"PackageNotFoundError", *LOOK_UPS})
 
 
 def module_of_ros(workspace: WorkspaceIndex, file: SourceFile, module: str, names: Sequence[str]) -> str | None:
-    """The module of ament's index, or of launch, that has all names which a file imports from a package that is
-    nowhere."""
+    """The module of ament's index, or for a launch file of launch, that has all names which are imported from a
+    package that is nowhere."""
     top = module.partition(".")[0]
     if not names or not (top in _NO_MODULES or is_unknown(workspace, file, module)):
         return None
@@ -86,6 +86,8 @@ def module_of_ros(workspace: WorkspaceIndex, file: SourceFile, module: str, name
         return None
     if _OF_INDEX.issuperset(names):
         return "ament_index_python.packages"
+    if file.kind != "launch_python":
+        return None  # a Node of a module that is nowhere is none of launch_ros
     having = [modules_with(name, "launch") for name in names]
     common = [path for path in having[0] if all(path in others for others in having)]
     return common[0] if common else None
