@@ -128,3 +128,9 @@ def test_a_program_that_has_its_own_way_with_signals(judge: Judge):
     own = "rclpy.init(signal_handler_options=SignalHandlerOptions.NO)"
     source = program(*SPIN, "except KeyboardInterrupt:", "    node.stop()")
     judge("EXE016", source.replace("rclpy.init()", own))
+
+
+@pytest.mark.parametrize(("test", "here"), [("True", ""), ("rclpy.ok()", "  # here")])
+def test_nothing_comes_behind_a_constructor_that_never_returns(judge: Judge, test: str, here: str):
+    text = program(*SPIN, "finally:", f"    node.publisher.publish(Twist()){here}")
+    judge("EXE016", text.replace("self.moving = False", f"while {test}:\n                self.note()"))

@@ -152,3 +152,52 @@ def test_all_programs_are_one_finding(judge: Judge):
     (finding,) = judge("EXE015", program(*SHUT[:-1], SHUT[-1] + "  # here"), shut, shut, config=JAZZY)
     assert finding.message.endswith("; 2 more programs do the same")
     assert [related.place.file for related in finding.related] == ["node1.py", "node2.py"]
+
+
+ENDLESS = """
+    import rclpy
+    from rclpy.node import Node
+
+    FOR_EVER = {for_ever}
+
+    class Player(Node):
+        def __init__(self):
+            super().__init__('player')
+            {starts}
+
+        def play(self):
+            while True:
+                self.step()
+                if not FOR_EVER:
+                    break
+
+        def step(self):
+            pass
+
+    def main():
+        rclpy.init()
+        {before}
+        try:
+            {inside}
+            rclpy.spin(node)
+        finally:
+            rclpy.shutdown(){here}
+
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("for_ever", "starts", "before", "inside", "here"),
+    [
+        (True, "self.play()", "node = Player()", "pass", ""),
+        (True, "self.play()", "pass", "node = Player()", "  # here"),  # Ctrl-C comes in the try
+        (False, "self.play()", "node = Player()", "pass", "  # here"),
+        (True, "self.step()", "node = Player()", "pass", "  # here"),
+    ],
+)
+def test_a_constructor_that_never_returns(
+    judge: Judge, for_ever: bool, starts: str, before: str, inside: str, here: str
+):
+    text = ENDLESS.format(for_ever=for_ever, starts=starts, before=before, inside=inside, here=here)
+    judge("EXE015", text, config=JAZZY)

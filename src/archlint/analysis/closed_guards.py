@@ -55,6 +55,10 @@ def _is_decided_against(workspace: WorkspaceIndex, place: Place) -> bool:
 
 @kept_for_each_file
 def _constants(file_facts: facts.Facts) -> dict[str, bool]:
+    return constants_of(file_facts)
+
+
+def constants_of(file_facts: facts.Facts) -> dict[str, bool]:
     """The variables of a module that one statement of it binds, to ``True`` or ``False``."""
     if any(name.id in _BY_TEXT for name in everything_in(file_facts.body, facts.Name)):
         return {}
@@ -101,4 +105,4 @@ def _attributes(statement: facts.Augmented | facts.For) -> list[facts.Attribute]
     return list(everything_in([statement.target], facts.Attribute))
 
 
-__all__ = ["is_switched_off"]
+__all__ = ["constants_of", "is_switched_off"]

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
+from archlint.python_code.endless_constructors import comes_back, endless_classes
 from archlint.python_code.made_objects import calls_of_objects, class_of_object
 from archlint.python_code.own_calls import method_meant
 from archlint.python_code.second_shutdowns import (
@@ -122,20 +123,22 @@ def _behind_ends(code: facts.Facts) -> list[list[_Call]]:
         return []
     publishers, threads = _publishers(code), targets_of_threads(code)
     blocks = [code.body, *(f.body for f in everything_in(code.body, facts.Function) if f.name not in threads)]
-    return [[*calls] for block in blocks for calls in _ends_in(block, publishers)]
+    endless = endless_classes(code)
+    return [[*calls] for block in blocks for calls in _ends_in(block, publishers, endless)]
 
 
-def _ends_in(block: Sequence[facts.Stmt], publishers: Set[str]) -> Iterator[Iterator[_Call]]:
+def _ends_in(block: Sequence[facts.Stmt], publishers: Set[str], endless: Set[str]) -> Iterator[Iterator[_Call]]:
+    """The calls behind each end of rclpy in a block, but for one that Ctrl-C in an ``endless`` constructor skips."""
     for at, statement in enumerate(block):
         if isinstance(statement, (facts.Function, facts.Class)):
             continue
         match statement:
-            case facts.Try() if _spins(statement.body):
+            case facts.Try() if _spins(statement.body) and comes_back([*block[:at], *statement.body], endless):
                 yield _after(_behind(statement, block[at + 1 :]), publishers, after_interrupt=True)
             case facts.Expression(value=facts.Call(func=function)) if function.dotted in _SHUT_DOWN:
                 yield _after(block[at + 1 :], publishers, after_interrupt=False)
         for inner in statement.blocks:
-            yield from _ends_in(inner, publishers)
+            yield from _ends_in(inner, publishers, endless)
 
 
 def _behind(attempt: facts.Try, after: Sequence[facts.Stmt]) -> list[facts.Stmt]:

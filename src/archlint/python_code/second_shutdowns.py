@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
+from archlint.python_code.endless_constructors import comes_back, endless_classes
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import calls_in, parts_of, statements_of
@@ -49,10 +50,11 @@ def _shutdowns(code: facts.Facts) -> list[facts.Span]:
     threads = targets_of_threads(code)
     functions = [*everything_in(code.body, facts.Function)]
     failing = _failing(functions) | {f"{part.name}.destroy_node()" for part in everything_in(code.body, facts.Class)}
-    spans = [*_in_block(code.body, failing)]
+    endless = endless_classes(code)
+    spans = [*_in_block(code.body, failing, endless)]
     for function in functions:
         if function.name not in threads:
-            spans += _in_block(function.body, failing)
+            spans += _in_block(function.body, failing, endless)
     return [*dict.fromkeys(spans)]
 
 
@@ -71,16 +73,16 @@ def targets_of_threads(code: facts.Facts) -> frozenset[str]:
     return frozenset(argument.value.last_name for argument in arguments if argument.keyword == "target")
 
 
-def _in_block(block: Sequence[facts.Stmt], failing: Set[str]) -> Iterator[facts.Span]:
+def _in_block(block: Sequence[facts.Stmt], failing: Set[str], endless: Set[str]) -> Iterator[facts.Span]:
     """The shutdowns behind the spins of a block and of those inside, but for functions and classes in it.  What calls
-    something ``failing`` ends the program before."""
+    something ``failing`` ends the program before, and so does Ctrl-C in a constructor that is ``endless``."""
     for at, statement in enumerate(block):
         if isinstance(statement, (facts.Function, facts.Class)):
             continue
-        if isinstance(statement, facts.Try) and _spins(statement.body):
+        if isinstance(statement, facts.Try) and _spins(statement.body) and comes_back(block[:at], endless):
             yield from _behind(statement, block[at + 1 :], failing)
         for inner in statement.blocks:
-            yield from _in_block(inner, failing)
+            yield from _in_block(inner, failing, endless)
 
 
 def _behind(attempt: facts.Try, after: Sequence[facts.Stmt], failing: Set[str]) -> Iterator[facts.Span]:
