@@ -132,6 +132,11 @@ class Frames:
     judge("EXE008", helper + program(more="self.frames = Frames(self)" + "; " + LISTENS))
 
 
+def test_of_two_sleeps_the_first_never_ends(judge: Judge):
+    judge("EXE009", program(here="  # here\n            self.rate.sleep()"))
+    judge("EXE009", program(spin="if self.count:\n                self.rate.sleep()  # here", here="  # here"))
+
+
 KEYS = """
 import sys
 import rclpy

@@ -475,6 +475,7 @@ STARTS = """
     if __name__ == '__main__':
         main()
 """
+NEAR = "self.near = self.create_client(Trigger, 'near')"
 SOUGHT = "self.get_logger().info('connecting')"
 LOG, WAIT = "self.get_logger().info('waiting')", "self.far.wait_for_service()  # here"
 
@@ -493,6 +494,11 @@ LOG, WAIT = "self.get_logger().info('waiting')", "self.far.wait_for_service()  #
         ([LOG, "self.create_timer(1.0, print)", WAIT], None),
         ([f"if input(): {LOG}", WAIT], Severity.WARNING),
         ([LOG, WAIT, "self.create_service(Trigger, 'near', self.answer)"], None),
+        ([NEAR, SOUGHT, "self.near.wait_for_service()", WAIT], None),
+        (
+            [NEAR, SOUGHT, "self.near.wait_for_service(timeout_sec=9.0)", "self.create_timer(1.0, print)", WAIT],
+            Severity.WARNING,
+        ),
         ([LOG, "self.create_timer(1.0, lambda: self.far.wait_for_service())  # here"], Severity.WARNING),
     ],
     ids=[
@@ -507,6 +513,8 @@ LOG, WAIT = "self.get_logger().info('waiting')", "self.far.wait_for_service()  #
         "said earlier that it waits",
         "said now and then",
         "a node that serves others",
+        "right behind another wait",
+        "something else done behind another wait",
         "in a callback",
     ],
 )
@@ -533,6 +541,54 @@ def test_a_callback_waits_for_what_came_before_the_program_span(judge: Judge, fi
         f"self.create_timer(1.0, lambda: self.far.wait_for_service()){marks}",
     )
     judge("TMO001", STARTS.format(name="Robot", lines="\n            ".join(lines)))
+
+
+BESIDE_OTHERS = """
+    import rclpy
+    from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+    from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.group = {group}()
+            self.far = self.create_client(Trigger, 'far')
+            self.create_timer(1.0, self.tick, callback_group=self.group)
+            self.create_timer(9.0, print, callback_group=self.group)
+
+        def tick(self):
+            {log}
+            self.far.wait_for_service()  # here
+
+
+    def main():
+        rclpy.init()
+        executor = {executor}()
+        executor.add_node(Robot())
+        executor.spin()
+
+
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("group", "log", "executor", "told"),
+    [
+        ("ReentrantCallbackGroup", LOG, "MultiThreadedExecutor", False),
+        ("ReentrantCallbackGroup", "pass", "MultiThreadedExecutor", True),
+        ("MutuallyExclusiveCallbackGroup", LOG, "MultiThreadedExecutor", True),
+        ("ReentrantCallbackGroup", LOG, "SingleThreadedExecutor", True),
+    ],
+)
+def test_a_callback_that_says_that_it_waits_beside_all_others(
+    judge: Judge, group: str, log: str, executor: str, told: bool
+):
+    text = BESIDE_OTHERS.format(group=group, log=log, executor=executor)
+    judge("TMO001", text if told else text.replace("  # here", ""))
 
 
 def test_what_a_script_waits_for_is_told_in_a_lesson_and_on_demand(judge: Judge):

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file, once
@@ -36,7 +36,7 @@ def needs_another_default(workspace: WorkspaceIndex | None, place: Place) -> boo
     if workspace is None or function is None or not defaults:
         return False
     return any(
-        outcome(test, lambda part: _truth(part, defaults)) is (not holds)
+        outcome(test, lambda part: truth_of_constants(part, defaults)) is (not holds)
         and not any(_is_given(workspace, place.file, function, name) for name in _asked(test, defaults))
         for test, holds in _tests(code_of(workspace).body_at(place), place)
     )
@@ -65,13 +65,13 @@ def _tests(body: Sequence[facts.Stmt], place: Place) -> Iterator[tuple[facts.Exp
                 yield choice.test, covers(choice.body, place.span)
 
 
-def _truth(part: facts.Expr, defaults: dict[str, facts.Literal]) -> bool | None:
-    """Whether a part of a condition holds where all parameters have their defaults."""
+def truth_of_constants(part: facts.Expr, defaults: Mapping[str, facts.Literal]) -> bool | None:
+    """Whether a part of a condition holds where names, or attributes such as ``self.delay``, have their defaults."""
+    if part.dotted in defaults:
+        return bool(defaults[part.dotted].value)
     match part:
-        case facts.Name(id=name) if name in defaults:
-            return bool(defaults[name].value)
-        case facts.Compare(left=facts.Name(id=name), ops=[op], comparators=[facts.Literal(value=other)]):
-            value = defaults[name].value if name in defaults else Ellipsis
+        case facts.Compare(left=left, ops=[op], comparators=[facts.Literal(value=other)]):
+            value = defaults[left.dotted].value if left.dotted in defaults else Ellipsis
             if value is Ellipsis:
                 return None
             if other is None or value is None:
@@ -153,4 +153,4 @@ def _words_of(code: facts.Facts) -> tuple[frozenset[str], frozenset[str], frozen
     return frozenset(keywords), frozenset(texts), frozenset(bases)
 
 
-__all__ = ["needs_another_default"]
+__all__ = ["needs_another_default", "truth_of_constants"]

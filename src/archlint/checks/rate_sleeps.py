@@ -10,8 +10,9 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
+from archlint.analysis.order import always_comes_before
 from archlint.analysis.reach import argument, calls_of, node_name
-from archlint.analysis.source_code import source_code
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.limitless_calls import is_unanswerable_at_start
 from archlint.checks.registry import finding
 from archlint.execution.loop_tests import is_only_after_shutdown
@@ -33,7 +34,10 @@ _TAKE_IN = frozenset({EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTI
 
 def endless_sleeps(system: System) -> Iterator[Finding]:
     """Sleeps of rates that nothing ends, since nobody spins the node while they sleep."""
-    for call, spins in _endless(system):
+    code, endless = source_code(system), _endless(system)
+    for call, spins in endless:
+        if any(_is_never_left(code, other, call) for other, missing in endless if not missing):
+            continue
         if not spins:
             yield _finding(
                 system, call, "nothing spins the node while this thread sleeps, so its timer never wakes it", []
@@ -41,6 +45,11 @@ def endless_sleeps(system: System) -> Iterator[Finding]:
         else:
             why = "the timer that wakes it runs in spin_once() only, which takes one callback at a time"
             yield _finding(system, call, why, spins)
+
+
+def _is_never_left(code: SourceCode, first: ApiCall, later: ApiCall) -> bool:
+    """Whether a program cannot get to a sleep but through another one, which never ends."""
+    return first.context is later.context and first.place != later.place and always_comes_before(code, first, later)
 
 
 def asleep(system: System) -> frozenset[int]:

@@ -39,8 +39,10 @@ from archlint.execution.sleeps import Stay
 from archlint.execution.spins import is_spin_call
 from archlint.execution.staged import is_between_moves, speaks_beside
 from archlint.execution.states import leaves_its_state
-from archlint.execution.stuck import clients_of_handlers, functions_that_ask
+from archlint.execution.stuck import clients_of_handlers, clients_of_stuck_callbacks, functions_that_ask
+from archlint.execution.unset_parameters import is_off_by_default
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.launch_files.unset_parameters import may_be_set
 from archlint.model import Role
 from archlint.packaging.inner_distributions import is_imported_by_its_own_name
 
@@ -56,11 +58,11 @@ PAUSE = 1.0
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them.  In a
     lesson, and with ``alone``, also where that delays nothing but the callback's own next turn and slow timers."""
-    code, quiet = source_code(system), not options.flag("alone")
+    code, quiet, workspace = source_code(system), not options.flag("alone"), system.workspace
     longest_first = partial(_longest_first, code)
     lesson = quiet and is_lesson(system)
     alone = lesson or not quiet
-    asked = clients_of_handlers(system, options.distros)
+    asked = clients_of_handlers(system, options.distros) | clients_of_stuck_callbacks(system, options.distros)
     reported = functions_that_ask(system, options.distros)
     endless = {loop.loop for loop in attribute_loops(system)} | endless_in_callbacks(system, options.distros)
     spinning = {id(call.context) for _, call in judged_calls(system) if is_spin_call(call)}
@@ -68,6 +70,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     functions: dict[tuple[str, str], dict[Place, LongStay]] = {}
     for program, call, stay in long_stays(system):
         if _is_for_others(call, stay) or _is_in_a_copied_library(system, call) or _is_never_made(system, call):
+            continue
+        if workspace is not None and is_off_by_default(system, call, partial(may_be_set, workspace)):
             continue
         if not endless.isdisjoint(call.loops):
             continue  # EXE009 says that the loop never ends, or TMO004 what alone ends it
@@ -84,7 +88,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         if stay.kind == "lock" or _answers_in_time(call, stay):
             continue  # few processes hold a file for more than a moment, and the answer depends on the server
         if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
-            continue  # a handler that asks the server afterwards is SRV003's: this is part of the same wait
+            continue  # SRV003 and EXE002 speak of the request that follows: this is part of the same wait
         if any((call.file, call.function, client.place) in reported for client in creations_of(call.receiver)):
             continue  # other callbacks get to the same two waits, of which SRV003 speaks
         place, function = told_at(system, call)

@@ -37,6 +37,7 @@ from archlint.checks.wait_words import (
 )
 from archlint.connections.lessons import is_lesson
 from archlint.execution.announced_waits import (
+    is_announced_beside_others,
     is_announced_start,
     is_documented_start,
     is_ended_by_hand,
@@ -80,6 +81,7 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         and not is_never_made(system.workspace, call)
         and not _is_unused(system, program, call)
         and not is_announced_start(system, call)
+        and not is_announced_beside_others(system, program, call)
         and (minor or not _is_minor(system, program, call))
         and not (is_ended_by_hand(system, call) and _is_minor(system, program, call))
         and not is_there(system, call)

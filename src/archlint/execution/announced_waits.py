@@ -7,6 +7,10 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import creations_of
 from archlint.analysis.source_code import SourceCode, source_code
+from archlint.execution.blocking import SEVERAL
+from archlint.execution.callback_roles import runs_in_executor
+from archlint.execution.deadlock import threads_of
+from archlint.execution.kept_waiting import blocks_nobody
 from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
@@ -20,6 +24,7 @@ if TYPE_CHECKING:
 _SAYS = frozenset({"info", "warn", "warning", "error", "print"})
 _ASKS = frozenset({"service_is_ready", "server_is_ready"})
 """What tells whether there is anything to wait for."""
+_WAITS = frozenset({"wait_for_service", "wait_for_server"})
 _ENDS = frozenset({"shutdown", "try_shutdown", "destroy_node", "destroy", "exit", "get_logger", "set", "join"})
 """What is called in every ``except KeyboardInterrupt`` that ends a program."""
 
@@ -28,6 +33,13 @@ def is_announced_start(system: System, call: ApiCall) -> bool:
     """Whether a program starts with a wait of which the line before tells: whoever reads its log knows what is
     missing."""
     return call.context.role in (Role.INIT, Role.MAIN, Role.MODULE) and _is_announced(source_code(system), call)
+
+
+def is_announced_beside_others(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether a callback tells that it waits, and other threads run everything else meanwhile."""
+    callback = call.context
+    several = runs_in_executor(callback) and threads_of(callback.node, program) == SEVERAL
+    return several and blocks_nobody(callback, program) and _is_announced(source_code(system), call)
 
 
 def is_documented_start(system: System, call: ApiCall) -> bool:
@@ -95,15 +107,16 @@ def says_something(loop: facts.While | facts.For | None) -> bool:
 
 
 def _is_announced(code: SourceCode, call: ApiCall) -> bool:
-    """Whether on every way to a call a line says something, and since then there are only assignments and the question
-    whether the server is there; or a line before that says that it waits."""
+    """Whether on every way to a call a line says something, and since then there are only assignments, other waits and
+    the question whether the server is there; or a line before that says that it waits."""
     if any(_says_so(statement.value) and statement.span < call.place.span for statement in _expressions(code, call)):
         return True
 
     def step(said: bool, fact: facts.Base) -> bool:
         match fact:
             case facts.Expression(value=facts.Call() as called):
-                return called_name(called) in _SAYS
+                # What is waited for next is part of the same start, of which the line before has told.
+                return called_name(called) in _SAYS or (said and called_name(called) in _WAITS)
             case facts.Assign():
                 return said
             case facts.Unary(operand=facts.Call() as asked) | (facts.Call() as asked):
@@ -128,4 +141,11 @@ def _says_so(e: facts.Expr) -> bool:
     return any("waiting" in text.lower() for text in texts)
 
 
-__all__ = ["is_announced_start", "is_documented_start", "is_ended_by_hand", "is_start_in_order", "says_something"]
+__all__ = [
+    "is_announced_beside_others",
+    "is_announced_start",
+    "is_documented_start",
+    "is_ended_by_hand",
+    "is_start_in_order",
+    "says_something",
+]

@@ -11,6 +11,9 @@ from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.deadlock import threads_of
 from archlint.execution.own_buffers import fills_what_is_read_before, is_of_listener
 from archlint.model import EntityKind, ExecutorKind, GroupKind, Role
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
@@ -31,6 +34,7 @@ class Waiting(Enum):
 
 
 _FOR_SERVER = "rclpy.action.client.ActionClient.wait_for_server"
+_FOR_SERVICE = "rclpy.client.Client.wait_for_service"
 _RUNS_AGAIN = frozenset({Role.SUBSCRIPTION, Role.TIMER, Role.SERVICE, Role.EXECUTE, Role.DONE})
 """What is called again and again, so that its next turn waits; with an answer, once for each request."""
 _TAKE_IN = frozenset(
@@ -113,6 +117,7 @@ def _taken_in_besides(code: SourceCode, node: Blueprint, call: ApiCall, program:
     later = {id(creation) for creation in node.creations if _is_made_after(creation, call)}
     follow = _callbacks_that_follow(code, node, call)
     several_threads = threads_of(callback.node, program) == blocking.SEVERAL
+    looks_for_server = call.api in (_FOR_SERVER, _FOR_SERVICE)  # its answers are judged by what follows
     for creation in node.creations:
         if creation.kind not in _TAKE_IN or creation.destroyed or creation is callback.creation:
             continue
@@ -130,8 +135,23 @@ def _taken_in_besides(code: SourceCode, node: Blueprint, call: ApiCall, program:
             continue
         if other.creation is callback.creation and other.role != Role.CANCEL:
             continue
+        if other.role == Role.DONE and not looks_for_server and _only_reports(code, other):
+            continue
         if other.role != Role.LIFECYCLE and runs_in_executor(other):
             yield other.creation
+
+
+_LOGS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "print"})
+_LOOKS = frozenset({"get_logger", "result", "exception", "done", "str", "len", "format", "round", "float"})
+
+
+def _only_reports(code: SourceCode, callback: Callback) -> bool:
+    """Whether all that a callback does is to log what has come of a request: nobody misses it for a while."""
+    function = code.function(callback)
+    body = [] if function is None else function.body if isinstance(function, facts.Function) else [function.body]
+    calls = {called_name(call) for call in calls_in(body)}
+    changes = any(not target.variable for part in everything_in(body) for target in part.assigned)
+    return not changes and not calls.isdisjoint(_LOGS) and calls <= _LOGS | _LOOKS
 
 
 def _is_made_after(creation: Creation, call: ApiCall) -> bool:

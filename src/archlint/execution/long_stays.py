@@ -21,7 +21,8 @@ from archlint.execution.recoveries import brings_up_again
 from archlint.execution.retries import around_future, is_retry
 from archlint.execution.sleeps import Stay, stay_of
 from archlint.execution.spins import is_never_spun_at_all
-from archlint.execution.ways_out import ends_with_the_node, hands_over, says_farewell
+from archlint.execution.starting_threads import waits_for_its_thread
+from archlint.execution.ways_out import ends_at_a_miss, ends_with_the_node, hands_over, says_farewell
 from archlint.model.given import Constant
 
 if TYPE_CHECKING:
@@ -52,12 +53,13 @@ def long_stays(system: System) -> Iterator[LongStay]:
             or ends_with_the_node(code, call, stay)
             or ends_the_machine(code, call)
             or (stay.kind in ("discovery", "process") and runs_once(system, call))
-            or (stay.kind == "discovery" and gives_up_at_a_miss(system, call))
+            or (stay.kind == "discovery" and (gives_up_at_a_miss(system, call) or ends_at_a_miss(code, call)))
             or (stay.kind in ("sleep", "process") and brings_up_again(code, call))
             or (stay.kind == "sleep" and lets_settle(code, call, stay))
             or hands_over(code, call, stay)
             or says_farewell(code, call, stay)
             or (stay.kind == "process" and (not call.looped or is_retry(code, call)) and is_soon_over(code, call))
+            or (stay.kind == "sleep" and waits_for_its_thread(code, call))
             or _is_no_program(system, call.context)
             or (call.context.node is not None and is_never_spun_at_all(code, program, call.context.node))
         ):

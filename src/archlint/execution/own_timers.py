@@ -10,6 +10,7 @@ from archlint.analysis.kept import once
 from archlint.analysis.order import always_comes_after, always_comes_before, path_comes_before, paths_to
 from archlint.analysis.reach import calls_of, creations_of
 from archlint.analysis.source_code import source_code
+from archlint.execution.ways_out import lines_of_miss
 from archlint.finding import Place
 from archlint.model import Role
 from archlint.syntax import facts
@@ -50,16 +51,8 @@ def runs_once(system: System, call: ApiCall) -> bool:
 def gives_up_at_a_miss(system: System, call: ApiCall) -> bool:
     """Whether a timer's callback ends the timer where what it waits for has not come: ``if not
     ….wait_for_service(timeout_sec=1.0): self.timer.cancel()``."""
-    code = source_code(system)
-    missed = [
-        branch.body
-        for branch in statements_of(code.body(call), facts.If)
-        if isinstance(branch.test, facts.Unary)
-        and isinstance(branch.test.negated, facts.Call)
-        and branch.test.negated.span == call.place.span
-    ]
     ends = [end.place for end in _ends_of_timer(system, call) if end.file == call.file]
-    return any(covers(line, place.span) for body in missed for line in body for place in ends)
+    return any(covers(line, place.span) for line in lines_of_miss(source_code(system), call) for place in ends)
 
 
 def _guard(code: SourceCode, end: ApiCall) -> tuple[Place, ...]:

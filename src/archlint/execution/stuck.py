@@ -36,6 +36,16 @@ def clients_of_handlers(system: System, distros: Sequence[str]) -> frozenset[tup
     )
 
 
+def clients_of_stuck_callbacks(system: System, distros: Sequence[str]) -> frozenset[tuple[Place, Place]]:
+    """The other callbacks with a wait of which EXE002 and CBG001 speak, each with the clients that it asks."""
+    return frozenset(
+        (wait.call.context.place, creation.place)
+        for wait, _ in stuck_waits(system, distros)
+        if not is_spin(wait)
+        for creation in creations_of(wait.call.receiver) or (wait.client,)
+    )
+
+
 def functions_that_ask(system: System, distros: Sequence[str]) -> frozenset[tuple[str, str, Place]]:
     """The functions with a wait that SRV003 speaks of, each with the clients that it asks: file, function, client."""
     return frozenset(

@@ -11,7 +11,7 @@ from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import without_exceptions
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import calls_in
+from archlint.syntax.walk import calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
@@ -51,6 +51,32 @@ _FAREWELL = 1.0
 """Seconds."""
 
 
+def ends_at_a_miss(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a wait that is in vain ends ROS or the program, so that it is in vain once: ``if not
+    client.wait_for_server(timeout_sec=3.0): self.give_up()``, with ``rclpy.shutdown()`` in that method."""
+    file_facts, lines = code.facts_at(call.file), lines_of_miss(code, call)
+    if file_facts is None or not lines:
+        return False
+    own = {inner.func.attribute for inner in calls_in(lines) if inner.func.dotted.startswith("self.")}
+    methods = [each for each in everything_in(file_facts.body, facts.Function) if each.name in own]
+    ends = _ENDS_OF_ROS | _ENDS_OF_PROGRAM
+    return any(
+        inner.func.dotted in ends for body in (lines, *(each.body for each in methods)) for inner in calls_in(body)
+    )
+
+
+def lines_of_miss(code: SourceCode, call: ApiCall) -> list[facts.Stmt]:
+    """What a function does where a call returns false: the body of ``if not ….wait_for_service(timeout_sec=1.0):``."""
+    return [
+        line
+        for branch in statements_of(code.body(call), facts.If)
+        if isinstance(branch.test, facts.Unary)
+        and isinstance(branch.test.negated, facts.Call)
+        and branch.test.negated.span == call.place.span
+        for line in branch.body
+    ]
+
+
 def _ends_in(code: SourceCode, call: ApiCall, functions: AbstractSet[str]) -> bool:
     """Whether every way on from a call leads to a call of one of some functions, in the function that holds it or in
     one that has called that."""
@@ -71,4 +97,4 @@ def _is_end(fact: facts.Base | None, functions: AbstractSet[str]) -> bool:
     return any(inner_call.func.dotted in functions for inner_call in calls_in(fact))
 
 
-__all__ = ["OF_PROCESS", "ends_with_the_node", "hands_over", "says_farewell"]
+__all__ = ["OF_PROCESS", "ends_at_a_miss", "ends_with_the_node", "hands_over", "lines_of_miss", "says_farewell"]

@@ -13,6 +13,7 @@ from archlint.analysis.declared_parameters import declared_by, followed
 from archlint.analysis.kept import once
 from archlint.analysis.pinned import is_from_before_galactic
 from archlint.launch_files.set_parameters import set_nodes
+from archlint.launch_files.unloaded_parameter_files import parameter_files
 from archlint.model import Role
 from archlint.model.given import Constant
 from archlint.place import Place
@@ -22,7 +23,7 @@ from archlint.systems.overrides import sets_all_that_is_set
 from archlint.workspace.kinds import is_cpp
 
 if TYPE_CHECKING:
-    from archlint.model import ParameterDeclaration
+    from archlint.model import Blueprint, ParameterDeclaration
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Node
 
@@ -64,6 +65,22 @@ def unset_parameters(system: System) -> Iterator[Unset]:
                 stops = _stops_at(workspace, node, name, row)
                 if stops is not None:
                     yield Unset(node, name, stops, row.place, launches[0].place)
+
+
+def may_be_set(workspace: WorkspaceIndex, node: Blueprint, name: str) -> bool:
+    """Whether a launch file that starts a node gives it a parameter, or may give it any, or a parameter file of the
+    workspace has one of that name, whoever loads it."""
+    launches = _launches(workspace).get(key_of(node), ())
+    return name in _in_parameter_files(workspace) or any(
+        launch.given is None or name in launch.given for launch in launches
+    )
+
+
+@once
+def _in_parameter_files(workspace: WorkspaceIndex) -> frozenset[str]:
+    return frozenset(
+        entry.name for _, file in parameter_files(workspace) for section in file.sections for entry in section.entries
+    )
 
 
 def _is_unset(row: ParameterDeclaration) -> bool:
@@ -116,4 +133,4 @@ def _mentioned(workspace: WorkspaceIndex, files: Collection[str], words: Collect
     return any(workspace.code.mentions(file, word) for file in files for word in words)
 
 
-__all__ = ["Unset", "unset_parameters"]
+__all__ = ["Unset", "may_be_set", "unset_parameters"]
