@@ -1,4 +1,4 @@
-"""LCH010: paths into the home folder of one person."""
+"""LCH010 and LCH014: paths into the home folder of one person."""
 
 from __future__ import annotations
 
@@ -35,11 +35,58 @@ def test_a_path_in_an_argument(findings, path):
     assert "is in the home folder of 'maria'" in finding.message
 
 
+HALL = {"maps/hall.yaml": "image: hall.png\n"}
+"""A map in the source folder of the package."""
+
+
 def test_a_file_of_the_workspace_is_found_through_its_package(findings):
-    (finding,) = findings(
-        "LCH010", node("--map /home/maria/ros2_ws/src/robot/maps/hall.yaml"), **{"maps/hall.yaml": "a: 1\n"}
+    (finding,) = findings("LCH014", node("--map /home/maria/ros2_ws/src/robot/maps/hall.yaml"), **HALL)
+    assert finding.help == "install it, and write $(find-pkg-share robot)/maps/hall.yaml"
+
+
+def test_a_file_of_the_workspace_that_a_launch_file_in_python_names(findings):
+    action = (
+        "DeclareLaunchArgument('map', default_value='/home/maria/ros2_ws/install/robot/share/robot/maps/hall.yaml')"
     )
-    assert finding.help == "install it, and write $(find-pkg-share robot)/maps/hall.yaml in the launch file"
+    (finding,) = findings("LCH014", node(""), **{"launch/python.launch.py": PYTHON.format(action=action)}, **HALL)
+    assert finding.help == (
+        "install it, and write os.path.join(get_package_share_directory('robot'), 'maps/hall.yaml')"
+    )
+
+
+def test_a_file_of_the_workspace_that_a_parameter_file_names(findings):
+    """Substitutions in it are evaluated by launch files in XML and YAML, and on demand alone in Python."""
+    launch = '<node pkg="robot" exec="talker"><param from="$(find-pkg-share robot)/config/robot.yaml"/></node>'
+    yaml = "talker:\n  ros__parameters:\n    map: /home/maria/ros2_ws/src/robot/maps/hall.yaml\n"
+    (finding,) = findings("LCH014", launch, **{"config/robot.yaml": yaml}, **HALL)
+    assert (finding.place.file, finding.place.line) == ("config/robot.yaml", 3)
+    assert "let the launch file give the parameter" in (finding.help or "")
+
+
+def test_own_files_of_one_launch_file_are_one_finding(findings):
+    path = "/home/maria/ros2_ws/src/robot/maps/hall"
+    (finding,) = findings("LCH014", node(f"{path}.yaml") + node(f"{path}.png"), **HALL, **{"maps/hall.png": ""})
+    assert finding.message.endswith("; another path of this file is in it, too")
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/home/maria/ros2_ws/src/robot/maps/yard.yaml",
+        "/home/maria/ros2_ws/src/arm/maps/hall.yaml",
+        "/home/maria/maps/hall.yaml",
+        "/home/ubuntu/ros2_ws/src/robot/maps/hall.yaml",
+        "/opt/robot/maps/hall.yaml",
+    ],
+    ids=["no such file", "no such package", "not in the package", "an account of every machine", "no home folder"],
+)
+def test_paths_that_lead_to_no_file_of_the_workspace(findings, path):
+    assert findings("LCH014", node(path), **HALL) == []
+
+
+def test_each_path_is_told_by_one_rule(findings):
+    path = "/home/maria/ros2_ws/src/robot/maps/hall.yaml"
+    assert findings("LCH010", node(path), **HALL) == []
 
 
 def test_paths_of_one_file_are_one_finding(findings):
