@@ -253,3 +253,14 @@ def test_an_action_that_code_executes_sets_its_configuration(launches):
     )
     launched = launches.python("[OpaqueFunction(function=made)]", SUBSTITUTIONS + body)
     assert names(launched) == ["left_arm", "left"]  # execute() does not ask for the condition
+
+
+@pytest.mark.parametrize(
+    "test", ["hasattr(action, '_Node__node_name') and ", ""], ids=["asked for", "taken for granted"]
+)
+def test_nodes_that_are_left_out_by_their_names(launches, test):
+    launched = launches.python(
+        f"[action for action in actions if not ({test}action._Node__node_name == 'first')]",
+        before=f"actions = [{node('first')}, {node('second')}]",
+    )
+    assert names(launched) == ["second"]

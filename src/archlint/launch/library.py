@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import External, Instance, Value
 from archlint.launch import calls, tables
-from archlint.launch.objects import argument, kind_of
+from archlint.launch.objects import LaunchObject, argument, kind_of
 from archlint.libraries.api_use import Offers
 from archlint.libraries.library import RosLibrary
 from archlint.libraries.rclpy import names
@@ -18,6 +18,23 @@ if TYPE_CHECKING:
 
 
 _ROS = RosLibrary.offers
+_NODES = frozenset(
+    {
+        tables.LaunchClass.NODE,
+        tables.LaunchClass.LIFECYCLE_NODE,
+        tables.LaunchClass.COMPOSABLE_NODE_CONTAINER,
+    }
+)
+_KEPT_BY_NODES = {
+    "_Node__package": "package",
+    "_Node__node_executable": "executable",
+    "_Node__node_name": "name",
+    "_Node__node_namespace": "namespace",
+}
+"""Arguments of a node by the attributes that have them: files that leave out nodes of others go by these.
+
+Source: launch_ros/actions/node.py of humble, jazzy and kilted.
+"""
 _SUBSTITUTIONS = frozenset(f"launch.{name}" for name in tables.SUBSTITUTIONS)
 
 
@@ -41,6 +58,8 @@ class LaunchLibrary(RosLibrary):
         said = calls.entities(self.run, value) if is_entities else None
         if name == "name" and kind_of(value) in calls.DECLARES:
             said = argument(value, "name")
+        if name in _KEPT_BY_NODES and kind_of(value) in _NODES and isinstance(value, LaunchObject):
+            said = None if value.open else value.given(_KEPT_BY_NODES[name])
         return super().attribute_of_object(value, cls, name) if said is None else said
 
     def is_subclass(self, path: str, cls: Value) -> bool | None:

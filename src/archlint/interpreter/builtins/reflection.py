@@ -90,6 +90,8 @@ def _has(machine: Machine, target: Value, name: str) -> Value:
     if len(verdicts) == 1 and None not in verdicts:
         return TRUE if True in verdicts else FALSE
     if target.own_class is None:
+        if isinstance(target, Instance) and isinstance(get_attribute(machine, target, name), Known):
+            return TRUE  # of a class of the library, which knows that one
         return Unknown("hasattr() of an object that is not followed")
     value = get_attribute(machine, target, name)
     if _is_missing(machine, value):
