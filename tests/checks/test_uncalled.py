@@ -73,6 +73,8 @@ OWN = """\
 OWN_OF_CAR = CAR.replace("\n\ndef main", f"{OWN}\n\ndef main", 1)
 REPLACES = "\n    def force(self, speed):\n        return 2.0\n"
 BEHIND_A_RETURN = BRAKE.replace("if self.odometry", "return 0.0\n        if self.odometry")
+PASSES_ON = BRAKE.replace("return 1.0", "return self.pedal.force(speed)")
+"""A method of the same name of another object, which only this one calls."""
 KEEPS = f"\n    strong = force\n{REPLACES}"
 
 
@@ -83,6 +85,8 @@ KEEPS = f"\n    strong = force\n{REPLACES}"
         ({"car/car/drive.py": CAR.replace("press()", "force(3.0)")}, True),
         ({"car/car/brake.py": STOP, "car/car/drive.py": CAR.replace("press()", "stop()")}, True),
         ({"car/car/brake.py": STOP}, False),
+        ({"car/car/brake.py": PASSES_ON}, False),
+        ({"car/car/brake.py": PASSES_ON, "car/car/drive.py": CAR.replace("press()", "force(3.0)")}, True),
         ({"car/car/drive.py": OWN_OF_CAR}, False),
         ({"car/car/drive.py": OWN_OF_CAR.replace("press()", "force(3.0)")}, True),
         ({"car/setup.py": LIBRARY}, True),
@@ -97,6 +101,8 @@ KEEPS = f"\n    strong = force\n{REPLACES}"
         "called",
         "called by one that is called",
         "led to by what nothing calls",
+        "passes on to another method of that name",
+        "passes on, and is called",
         "another has a method of that name",
         "another has one, and calls this one, too",
         "a library",

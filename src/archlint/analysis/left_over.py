@@ -193,13 +193,15 @@ def _uses(code: facts.Facts) -> _Uses:
 
 
 def _idle(uses_of: Mapping[str, dict[str, int]], count: Mapping[str, int]) -> dict[str, dict[str, int]]:
-    """Those of some methods that nothing names but each other."""
+    """Those of some methods that nothing names but each other, or the method itself: it may pass on to another object
+    what it is asked for."""
     idle: dict[str, dict[str, int]] = {}
     for _ in range(_HOPS):
         named = Counter[str]()
         for uses in idle.values():
             named.update(uses)
-        idle |= {name: uses for name, uses in uses_of.items() if count.get(name, 0) == named[name]}
+        own = {name: uses.get(name, 0) for name, uses in uses_of.items() if name not in idle}
+        idle |= {name: uses for name, uses in uses_of.items() if count.get(name, 0) == named[name] + own.get(name, 0)}
     return idle
 
 
