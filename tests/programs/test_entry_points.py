@@ -215,6 +215,52 @@ setup(data_files=[
     assert not installs.open_files
 
 
+def test_data_files_that_a_function_collects_folder_by_folder(installs_of):
+    installs = installs_of(
+        **{
+            "config/arm.yaml": "",
+            "config/sim/sky/flat.world": "",
+            "setup.py": """\
+from glob import glob
+from setuptools import setup
+data_files = [('share/robot', ['package.xml'])]
+
+def collect(folder):
+    data_files.append(('share/robot/' + folder, glob(folder + '*.*')))
+    for below in glob(folder + '*/'):
+        collect(below)
+
+collect('config')
+setup(data_files=data_files)
+""",
+        }
+    )
+    assert list(installs.places_of("robot/config/arm.yaml")) == ["share/robot/config/arm.yaml"]
+    assert list(installs.places_of("robot/config/sim/sky/flat.world")) == ["share/robot/config/sim/sky/flat.world"]
+    assert not installs.open_files
+
+
+def test_data_files_that_a_function_collects_without_an_end_in_sight_are_open(installs_of):
+    installs = installs_of(
+        **{
+            "setup.py": """\
+import os
+from setuptools import setup
+data_files = [('share/robot', ['package.xml'])]
+
+def collect(folder, depth=0):
+    data_files.append((f'share/robot/{folder}', ['package.xml']))
+    if os.environ.get('DEPTH', 0) > depth:
+        collect(f'{folder}/x', depth + 1)
+
+collect('config')
+setup(data_files=data_files)
+"""
+        }
+    )
+    assert installs.open_files
+
+
 def scripts_of(installs: Installs) -> dict[str, str | None]:
     return {executable.name: executable.script for executable in installs.executables.values()}
 

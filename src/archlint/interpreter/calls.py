@@ -133,6 +133,7 @@ def call_function(machine: Machine, function: FunctionValue, site: CallSite, sel
     if self_value is None and _lacks_self(function, site):
         return Unknown(f"'{function.qualified}' is called without its object")
     if _is_too_deep(machine, ir):
+        machine.exhausted = True
         return Unknown(f"'{function.qualified}' calls itself")
     if len(machine.activations) >= DEPTH:
         machine.give_up()

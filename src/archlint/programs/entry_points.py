@@ -184,7 +184,8 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tr
     run.faults = faults
     run.tree, run.folder = tree, installs.folder
     run.import_module(module)
-    if run.program.exhausted:
+    cut_short = run.exhausted or run.program.exhausted
+    if cut_short:
         installs.open_executables = installs.open_files = True
     if run.keywords is None:
         installs.open_executables = installs.open_files = True
@@ -201,7 +202,7 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tr
     installs.data_files_at = run.data_files_at or where
     if run.data_files_at is None and not run.open:  # what setup.py says itself counts
         _data_files_of_table(installs, tree)
-    if not run.open and not run.program.exhausted:
+    if not run.open and not cut_short:
         installs.python = python_code(installs, run, keywords)
 
 

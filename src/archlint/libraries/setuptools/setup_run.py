@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fnmatch import translate
 from glob import has_magic
@@ -24,9 +24,14 @@ if TYPE_CHECKING:
     from archlint.libraries.api_use import Plain
 
 
+NESTED_FOLDERS = 40
+"""How many calls of one function run at a time: a helper goes through a folder, and the folders in it."""
+
+
 class SetupRun(Run):
     """The symbolic run of a setup.py: what it calls ``setup`` with, and where."""
 
+    allowed_nesting = NESTED_FOLDERS
     keywords: dict[str, Value] | None = None
     open = False
     called_at: Place | None = None
@@ -74,6 +79,11 @@ def glob_pattern(run: Run, site: CallSite) -> Value:
     if not isinstance(given, Known) or given.text is None or not isinstance(recursive, Known):
         return unknown
     pattern = _with_single_stars(given.text, recursive=bool(recursive.value))
+    if pattern.endswith("/"):
+        if run.tree is None or pattern.startswith(("/", "../")):
+            return unknown
+        folders = _matching_folders(run.tree, run.folder, pattern)
+        return containers.new_list(run, [replace(given, value=f"{path}/") for path in folders])
     folder, _, name = pattern.rpartition("/")
     if not has_magic(pattern) and run.tree is not None and _is_absent(run.tree, run.folder, pattern):
         return containers.new_list(run, [])  # of a name that is not there, glob() says nothing and the build goes on
@@ -103,11 +113,25 @@ def _with_single_stars(pattern: str, *, recursive: bool) -> str:
 
 def _matching(tree: Listing, folder: str, pattern: str) -> list[str]:
     """The files that a pattern matches, by their paths below the folder of the setup.py."""
-    names: list[NamePattern | None] = [
-        None if part == "**" else _name_pattern(part) for part in posixpath.normpath(pattern).split("/")
-    ]
-    below = (posixpath.relpath(path, folder) for path in tree.files_below(folder))
-    return sorted(path for path in below if matches_names(names, path.split("/")))
+    names = _name_patterns(pattern)
+    return sorted(path for path in _files_below(tree, folder) if matches_names(names, path.split("/")))
+
+
+def _matching_folders(tree: Listing, folder: str, pattern: str) -> list[str]:
+    """The folders that a pattern with a slash at its end matches, of those with any file in them."""
+    names = _name_patterns(pattern)
+    parts = [path.split("/") for path in _files_below(tree, folder)]
+    folders = {tuple(each[:end]) for each in parts for end in range(1, len(each))}
+    return sorted("/".join(each) for each in folders if matches_names(names, list(each)))
+
+
+def _files_below(tree: Listing, folder: str) -> Iterator[str]:
+    return (posixpath.relpath(path, folder) for path in tree.files_below(folder))
+
+
+def _name_patterns(pattern: str) -> list[NamePattern | None]:
+    """The patterns of a path, name by name; None for any number of folders."""
+    return [None if part == "**" else _name_pattern(part) for part in posixpath.normpath(pattern).split("/")]
 
 
 def _name_pattern(part: str) -> NamePattern:
