@@ -184,12 +184,26 @@ def test_a_text_and_what_may_be_given_or_not(findings, there):
         "start and lc",
         "IfCondition(lc)",
         "print(f'{lc}')",
+        "print('kind: ' + str(lc))",
+        "logger.info(f'{lc}')",
+        "logging.warning('kind: %s' % lc)",
+        "get_logger('robot').debug(f'{lc}')",
         "f'{start}'",
         "[1 for lc in ('a', 'b') if lc]",
     ],
 )
 def test_a_substitution_that_launch_performs(findings, here):
     assert findings("LCH006", **_written(here)) == []
+
+
+def test_what_is_logged_cannot_be_a_sum_with_a_substitution_either(findings):
+    (told,) = findings("LCH006", **_written("logger.info('kind: ' + lc)"))
+    assert "the launch stops here with a TypeError" in told.message
+
+
+def test_a_text_with_a_substitution_for_anything_but_a_log(findings):
+    (told,) = findings("LCH006", **_written("catalog.info(f'{lc}')"))
+    assert "a string of the LaunchConfiguration itself" in told.message
 
 
 def test_a_class_of_another_library_with_the_same_name(findings):

@@ -177,7 +177,7 @@ def _argument(call: facts.Call, position: int, keyword: str) -> str:
 
 
 def _misused(code: _Code) -> Iterator[Misused]:
-    printed = {id(argument.value) for argument in _printed(code.body)}
+    printed = {id(part) for argument in _printed(code.body) for part in everything_in(argument.value)}
     combined = {id(operand): op for value in _given(code.body) for operand, op in _operands(value)}
     given = {id(value) for value in _given(code.body)} | combined.keys()
     choosing = {
@@ -190,13 +190,13 @@ def _misused(code: _Code) -> Iterator[Misused]:
         match part:
             case facts.Binary(op="+", left=left, right=right):
                 yield from _each(code, Misuse.ADDED, (left, right), part.span)
-            case facts.Binary(op="%", left=facts.Literal(value=str()), right=right):
+            case facts.Binary(op="%", left=facts.Literal(value=str()), right=right) if id(part) not in printed:
                 yield from _each(code, Misuse.FORMATTED, right.unpacked, part.span)
             case facts.FormatString() if id(part) not in printed:
                 values = [field.value for field in part.parts if isinstance(field, facts.Field)]
                 yield from _each(code, Misuse.FORMATTED, values, part.span)
-            case facts.Call(args=[argument, *others]) if (
-                part.func.last_name in _TAKE_VALUES and id(part) not in printed
+            case facts.Call(args=[argument, *others]) if part.func.last_name in _TAKE_VALUES and (
+                part.func.last_name != "str" or id(part) not in printed
             ):
                 if not others or part.func.last_name not in _OF_PYTHON:
                     hands_on = id(part) in given and part.func.last_name in _OF_PYTHON
@@ -298,10 +298,25 @@ _CONDITION = "condition"
 
 
 def _printed(body: list[facts.Stmt]) -> Iterator[facts.Argument]:
-    """What code prints: that a substitution is an object is plain to see there."""
+    """What code prints or logs: that a substitution is an object is plain to see there, and nothing else is wrong."""
     for call in everything_in(body, facts.Call):
-        if call.func.last_name == "print":
+        if call.func.last_name == "print" or _is_of_logger(call.func):
             yield from call.args
+
+
+_LEVELS = frozenset({"critical", "debug", "error", "exception", "fatal", "info", "log", "warn", "warning"})
+_LOGGERS = frozenset({"log", "logger", "logging"})
+_MAKE_LOGGERS = frozenset({"getLogger", "get_logger"})
+
+
+def _is_of_logger(function: facts.Expr) -> bool:
+    """Whether a function writes to a log: ``logger.info``, ``logging.warning``, ``get_logger('robot').debug``."""
+    match function:
+        case facts.Attribute(value=facts.Call(func=function), attr=level):
+            return level in _LEVELS and function.last_name in _MAKE_LOGGERS
+        case facts.Attribute(value=logger, attr=level):
+            return level in _LEVELS and logger.last_name.lower().strip("_").rpartition("_")[2] in _LOGGERS
+    return False
 
 
 __all__ = ["Misuse", "Misused", "is_chosen_in_vain", "misused_substitutions"]
