@@ -144,3 +144,28 @@ def test_a_wait_for_a_server_before_the_request_that_can_never_be_answered(judge
     body = "self.far.wait_for_service(timeout_sec=5.0){here}\nself.far.call{asks}(Trigger.Request())"
     judge("EXE003", node(body.format(asks="", here=""), SERVICE))  # EXE002 speaks of the request
     judge("EXE003", node(body.format(asks="_async", here="  # here"), SERVICE))
+
+
+KEEPS = "self.create_subscription(Empty, 'beside', self.on_beside, 10)"
+
+
+@pytest.mark.parametrize(
+    ("seconds", "handler", "told"),
+    [
+        ("2.5", "self.latest = message", False),
+        ("2.5", "'Keep it.'\n    self.latest = [0.0]\n    self.latest[0] = float(message.data)", False),
+        ("4.0", "self.latest = message", True),
+        ("2.5", "self.motor.stop()", True),
+        ("2.5", "self.latest = message\n    self.publisher.publish(message)", True),
+        ("2.5", "if self.running:\n        self.latest = message", True),
+    ],
+    ids=["keeps it", "keeps a part of it", "for long", "acts", "passes it on", "under a condition"],
+)
+def test_beside_a_subscription_that_only_keeps_messages(judge: Judge, seconds: str, handler: str, told: bool):
+    """In a large workspace; whoever learns hears of it anyway."""
+    more = f"def on_beside(self, message):\n    {handler}"
+    body = f"self.gone = True\ntime.sleep({seconds}){'  # here' if told else ''}"
+    others = (
+        f"class Idle{n}(Node):\n    def __init__(self):\n        super().__init__('i{n}')\n\n\n" for n in range(5)
+    )
+    judge("EXE003", node(body, beside=KEEPS, more=more).replace("def main", f"{''.join(others)}def main"))

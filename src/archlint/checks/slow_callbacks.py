@@ -29,7 +29,7 @@ from archlint.execution.callback_roles import callback_words, runs_in_executor
 from archlint.execution.commands import is_soon_over
 from archlint.execution.deadlock import threads_of
 from archlint.execution.demonstrations import stands_for_work
-from archlint.execution.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
+from archlint.execution.kept_waiting import Waiting, blocks_nobody, is_one_chain, keeps_intake_alone, who_waits
 from archlint.execution.long_stays import LongStay, long_stays, period_of
 from archlint.execution.loop_times import in_loops
 from archlint.execution.own_timers import ends_its_timer_after
@@ -153,6 +153,8 @@ def _longest_first(code: SourceCode, row: LongStay) -> tuple[float, Place]:
     return -(stay.seconds if stay.kind in ("sleep", "discovery") else min(stay.seconds, usual)), call.place
 
 
+_A_WHILE = 3.0
+"""Seconds that a message may be old by when it is read, if all that is done with it is to keep it."""
 _A_MOMENT = 0.05
 """Seconds that a command takes which only sets or asks something."""
 _USUAL = {"sleep": 1.0, "process": 1.0, "keyboard": 4.0, "network": 5.0, "message": 5.0}
@@ -183,7 +185,11 @@ def _delays_nothing(code: SourceCode, row: LongStay) -> bool:
     program, call, stay = row
     if stay.kind == "keyboard":
         return True
-    return not made_here(call) and who_waits(code, call, program) in (Waiting.NOBODY, Waiting.SELDOM, Waiting.UNKNOWN)
+    if made_here(call):
+        return False
+    if -_longest_first(code, row)[0] <= _A_WHILE and keeps_intake_alone(code, call, program):
+        return True
+    return who_waits(code, call, program) in (Waiting.NOBODY, Waiting.SELDOM, Waiting.UNKNOWN)
 
 
 def _turns(call: ApiCall) -> bool:

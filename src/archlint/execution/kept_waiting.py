@@ -64,19 +64,28 @@ def who_waits(code: SourceCode, call: ApiCall, program: Program, *, but_listener
     node = callback.node
     if node is None:
         return Waiting.UNKNOWN
-    nodes = [node, *(other for use in program.executors_of(node) for other in use.nodes if other is not node)]
-    others = [
-        creation
-        for spun in nodes
-        for creation in _taken_in_besides(code, spun, call, program)
-        if not but_listeners or creation is None or not is_of_listener(code, creation)
-    ]
+    nodes = _spun_with(node, program)
+    besides = [creation for spun in nodes for creation in _taken_in_besides(code, spun, call, program)]
+    others = [each for each in besides if not but_listeners or each is None or not is_of_listener(code, each)]
     if others:
         return Waiting.SELDOM if all(map(_runs_seldom, others)) else Waiting.OTHERS
     # The transitions of a lifecycle node wait, too, if anybody asks for one.
     known = callback.role in _RUNS_AGAIN and not node.lifecycle
     known_executor = known and node.executor in (ExecutorKind.SINGLE_THREADED, ExecutorKind.MULTI_THREADED)
     return Waiting.NOBODY if known_executor and all(spun.complete for spun in nodes) else Waiting.UNKNOWN
+
+
+def keeps_intake_alone(code: SourceCode, call: ApiCall, program: Program) -> bool:
+    """Whether all that has to wait are timers that seldom run, and subscriptions that only keep what they are given."""
+    node = call.context.node
+    nodes = [] if node is None else _spun_with(node, program)
+    others = [creation for spun in nodes for creation in _taken_in_besides(code, spun, call, program)]
+    return bool(others) and all(_runs_seldom(creation) or _only_keeps(code, creation) for creation in others)
+
+
+def _spun_with(node: Blueprint, program: Program) -> list[Blueprint]:
+    """A node, and the others that its executors run."""
+    return [node, *(other for use in program.executors_of(node) for other in use.nodes if other is not node)]
 
 
 def is_one_chain(call: ApiCall, program: Program) -> bool:
@@ -107,6 +116,26 @@ _SELDOM = 0.5
 
 def _runs_seldom(creation: Creation | None) -> bool:
     return creation is not None and creation.period is not None and creation.period >= _SELDOM
+
+
+def _only_keeps(code: SourceCode, creation: Creation | None) -> bool:
+    """Whether a subscription does no more than keep what it is given: the next message comes soon enough."""
+    if creation is None or creation.kind != EntityKind.SUBSCRIBER or not creation.callbacks:
+        return False
+    functions = [code.function(handler) for handler in creation.callbacks.values()]
+    return all(isinstance(function, facts.Function) and _sets_values(function) for function in functions)
+
+
+_CONVERTS = frozenset({"bool", "float", "int", "list", "round", "str", "tuple", "array", "asarray", "copy", "deepcopy"})
+
+
+def _sets_values(function: facts.Function) -> bool:
+    sets = all(isinstance(statement, facts.Assign) or _is_docstring(statement) for statement in function.body)
+    return sets and {called_name(call) for call in calls_in(function.body)} <= _CONVERTS
+
+
+def _is_docstring(statement: facts.Stmt) -> bool:
+    return isinstance(statement, facts.Expression) and isinstance(statement.value, facts.Literal)
 
 
 def _taken_in_besides(code: SourceCode, node: Blueprint, call: ApiCall, program: Program) -> Iterator[Creation | None]:
@@ -184,4 +213,4 @@ def _is_between(place: Place | None, start: Place, end_line: int) -> bool:
     return place is not None and place.file == start.file and place > start and place.line <= end_line
 
 
-__all__ = ["Waiting", "blocks_nobody", "is_one_chain", "who_waits"]
+__all__ = ["Waiting", "blocks_nobody", "is_one_chain", "keeps_intake_alone", "who_waits"]
