@@ -127,6 +127,30 @@ def test_the_ends_of_one_handler_are_one_finding(run: Run):
     assert [one.message for one in told.related].count("this end, too") == 1
 
 
+ALL = {
+    "the truth": "if args:\n    return args[1]\nreturn",
+    "their number": "if len(args) == 2:\n    return args[1]\nreturn",
+    "too few": "if len(args) < 2:\n    return\nreturn args[1]",
+    "none": "if not args:\n    return\nreturn args[1]",
+}
+NOT_ALL = {
+    "another number": "if len(args) == 3:\n    return args[2]\nreturn",
+    "set before": "args = args[2:]\nif args:\n    return args[1]\nreturn",
+    "another name": "if self.busy():\n    return args[1]\nreturn",
+}
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [*((body, []) for body in ALL.values()), *((body, ["SRV007"]) for body in NOT_ALL.values())],
+    ids=[*ALL, *NOT_ALL],
+)
+def test_rclpy_gives_a_handler_all_its_arguments(run: Run, body: str, expected: list[str]):
+    """A bare ``return`` for whoever calls the method without any is none of the handler."""
+    text = handler(body).replace("(self, request, response)", "(self, *args)")
+    assert [code for code in codes(run(text)) if code == "SRV007"] == expected
+
+
 OTHERS = {
     "at once": "return SetBool.Response(success=True)",
     "by a variable": "answer = SetBool.Response()\nanswer.success = True\nreturn answer",
@@ -261,6 +285,13 @@ OUTCOMES = {
                     goal_handle.canceled()
             except Exception:
                 pass
+        return Fibonacci.Result()
+    """,
+    "a method that no goal has": """
+        if self.ready:
+            goal_handle.succeed()
+        else:
+            goal_handle.fail()
         return Fibonacci.Result()
     """,
     "a name of ROS 1, at which it fails": "self.server.set_succeeded([])\nreturn Fibonacci.Result()",

@@ -193,14 +193,15 @@ def test_each_answer_sends_the_next_request(robot: Robot):
     assert robot("self.ask()", methods.format(again="if future.result().latest_value < 1.0: self.ask()")) == []
 
 
-def test_a_timer_that_some_other_callback_ends(robot: Robot):
-    methods = """
+@pytest.mark.parametrize("end", ["self.timer.cancel()", "self.timer.destroy()", "self.destroy_timer(self.timer)"])
+def test_a_timer_that_some_other_callback_ends(robot: Robot, end: str):
+    methods = f"""
     def tick(self):
         self.sensor.call_async(GetSensorData.Request(sensor_id='a')).add_done_callback(self.show)
 
     def show(self, future):
         if future.result().latest_value > 3.0:
-            self.timer.cancel()
+            {end}
     """
     assert robot("self.timer = self.create_timer(0.1, self.tick)", methods) == []
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import pytest
 
 from checks.callbacks import ON_SEVERAL_THREADS, Run, source
@@ -78,3 +80,43 @@ def test_a_program_that_repeats_it_and_one_that_does_it_once(run: Run):
     assert codes(LOOP) == ["SRV005"]
     once = LOOP.replace("    while rclpy.ok():\n        robot.work()\n        time.sleep(5.0)\n", "    robot.work()\n")
     assert codes(once) == []
+
+
+ASKED = (
+    "def tick(self):\n    pass\n\n\ndef ask(self, part, scene):\n    part.call(Trigger.Request(), timeout_sec=1.0)\n"
+)
+SCENES = """
+def main():
+    rclpy.init()
+    robot = Robot()
+    threading.Thread(target=rclpy.spin, args=(robot,), daemon=True).start()
+{scenes}
+
+
+if __name__ == '__main__':
+    main()
+"""
+ONCE = "".join(f"robot.ask(robot.parts[{number}], 'once')\n" for number in range(3))
+AGAIN = f"for _ in range(12):\n{textwrap.indent(ONCE.replace('once', 'again'), '    ')}    time.sleep(2.0)\n"
+
+
+def scenes(run: Run, *parts: str) -> list[int]:
+    """The lines of ``main()``, from the first scene on, that a finding names."""
+    text = source(THREE, ASKED, SCENES.format(scenes=textwrap.indent("".join(parts), "    ").rstrip()))
+    before = text[: text.index("daemon=True")].count("\n") + 1
+    found = [finding for finding in run(text) if finding.code == "SRV005"]
+    return [
+        row.place.line - before for finding in found for row in finding.related if row.message.startswith("waits for")
+    ]
+
+
+def test_what_a_script_does_once_is_no_part_of_the_loop_after_it(run: Run):
+    assert scenes(run, ONCE) == []
+    assert scenes(run, AGAIN) == [2, 3, 4]
+    assert scenes(run, ONCE, AGAIN) == [5, 6, 7]
+    assert scenes(run, AGAIN, ONCE) == [2, 3, 4]
+
+
+@pytest.mark.parametrize(("rounds", "lines"), [("range(2)", []), ("range(99)", [2, 3, 4]), ("count()", [2, 3, 4])])
+def test_a_script_that_plays_a_few_rounds(run: Run, rounds: str, lines: list[int]):
+    assert scenes(run, AGAIN.replace("range(12)", rounds)) == lines

@@ -14,6 +14,7 @@ from archlint.execution.blocking import AWAIT
 from archlint.execution.callback_roles import callback_words, runs_in_executor
 from archlint.execution.client_loops import clients_in_turn
 from archlint.execution.dependent_waits import build_on_answers, runs_beside_others
+from archlint.execution.loop_times import literal_rounds, loops_of_first_way
 from archlint.execution.retries import is_retried
 from archlint.execution.stuck import stuck_waits
 from archlint.execution.waits import Wait, waits
@@ -104,15 +105,28 @@ def _runs(system: System, distros: Sequence[str]) -> Iterator[list[_Step]]:
             continue  # SRV003 says of a handler that it waits, and for how many answers
         if wait.kind != AWAIT and is_retried(code, call):
             continue
-        for chain, loops, clients in ((call.chain, call.enclosing_loops, ()), *call.call_chains):
+        for chain, loops, clients in ((call.chain, loops_of_first_way(code, call), ()), *call.call_chains):
             # What is in the same arms of all branches runs together or not at all; a program that is no
             # callback has to run all of it.
             outermost = loops[:1] if not runs_in_executor(call.context) else ()
+            if not runs_in_executor(call.context) and not _goes_on(code, outermost):
+                continue
             key = (id(wait.program), id(call.context), call.branch_arms, outermost)
             client = clients[0] if clients else wait.client
             by_run.setdefault(key, []).append(_Step(call.place, chain, wait, client))
     for steps in by_run.values():
         yield from _sequences(code, steps)
+
+
+_FEW = 10
+
+
+def _goes_on(code: SourceCode, loops: Sequence[Place]) -> bool:
+    """Whether what a program does on one of the ways to a wait is repeated.  What has no loop around runs once,
+    whatever loops the other ways go through, and a script that plays the same few scenes again, ``for _ in range(2):``,
+    is as good as written out."""
+    rounds = None if not loops else literal_rounds(code.loop_at(loops[0]))
+    return bool(loops) and (rounds is None or rounds >= _FEW)
 
 
 def _sequences(code: SourceCode, steps: list[_Step]) -> Iterator[list[_Step]]:

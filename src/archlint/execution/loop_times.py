@@ -99,6 +99,23 @@ def _times(code: SourceCode, file: str, loop: Loop | None, unknown: float) -> fl
     return unknown if items is None else items
 
 
+def loops_of_first_way(code: SourceCode, call: ApiCall) -> tuple[Place, ...]:
+    """The loops on the way that a call was first met on: where that has none, the call has those of another way."""
+    way = [*(frame.place for frame in call.chain), call.place]
+    return tuple(
+        loop
+        for loop in call.enclosing_loops
+        for fact in [code.loop_at(loop)]
+        if any(place.file == loop.file and covers(fact, place.span) for place in way if fact is not None)
+    )
+
+
+def literal_rounds(loop: Loop | None) -> int | None:
+    """How many rounds a loop over numbers takes whose bounds stand there: ``for _ in range(3):``."""
+    numbers = None if loop is None else _range_of(loop.head)
+    return None if numbers is None else len(numbers)
+
+
 def _range_of(head: facts.Expr | None) -> range | None:
     """The numbers of ``range(3)``, where they stand there."""
     match head:

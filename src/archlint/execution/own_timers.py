@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Creation
     from archlint.systems.model import System
 
-ENDS_TIMER = ("rclpy.timer.Timer.cancel", "rclpy.node.Node.destroy_timer")
+ENDS_TIMER = ("rclpy.timer.Timer.cancel", "rclpy.timer.Timer.destroy", "rclpy.node.Node.destroy_timer")
 """The calls that end a timer."""
 
 

@@ -9,6 +9,7 @@ from archlint.analysis.kept import once
 from archlint.analysis.reach import calls_of, judged_calls
 from archlint.analysis.source_code import FunctionFacts, source_code
 from archlint.finding import Place
+from archlint.libraries.api_signatures import attributes_of
 from archlint.model import Role
 from archlint.python_code.assumptions import MOST, NOTHING, Known, after, dotted, variables, within
 from archlint.python_code.handler_ends import HandlerEnd, handlers_of, is_stub
@@ -142,7 +143,18 @@ def _decides(fact: facts.Base, goal: _Goal) -> bool:
     attributes = parts_of(fact, facts.Attribute)
     if any(attribute.attr in _DECIDES and dotted(attribute.value) in goal.names for attribute in attributes):
         return True
+    if any(_has_no_such_method(call, goal) for call in calls_in(fact)):
+        return True
     return bool(goal.refused) and any(Place.of(goal.file, call.span) in goal.refused for call in calls_in(fact))
+
+
+def _has_no_such_method(call: facts.Call, goal: _Goal) -> bool:
+    """A method that no goal has, such as ``goal_handle.fail()``: the AttributeError aborts the goal."""
+    known = attributes_of("rclpy.action.server.ServerGoalHandle")
+    match call.func:
+        case facts.Attribute(attr=name, value=of):
+            return known is not None and name not in known and dotted(of) in goal.names
+    return False
 
 
 def _works(fact: facts.Base, goal: _Goal) -> bool:

@@ -11,6 +11,7 @@ from archlint.model import Role
 from archlint.python_code.annotations import interface_of
 from archlint.python_code.assumptions import Known, asked, proven, within
 from archlint.python_code.class_chains import targets_of
+from archlint.python_code.given_arguments import given_arguments
 from archlint.python_code.other_responses import other_response
 from archlint.python_code.raising_helpers import NeverReturns, never_returns
 from archlint.records import dataclass
@@ -155,8 +156,8 @@ def _ends_as_created(
     code: SourceCode, callback: Callback, function: facts.Function, raises: NeverReturns, nobody_waits: _Test
 ) -> Ends[Known | None]:
     """The ends of a handler that is there at all: what was asked before its service was created still holds, where it
-    asks for a name of the module that the handler does not set.  Behind a helper that always raises, the state is
-    None."""
+    asks for a name of the module that the handler does not set, and rclpy calls it with all arguments.  Behind a
+    helper that always raises, the state is None."""
     conditions = code.proven(callback.creation) if callback.creation is not None else ()
     own = {param.name for param in function.params} | {
         part.id
@@ -169,8 +170,12 @@ def _ends_as_created(
     def step(known: Known | None, fact: facts.Base) -> Known | None:
         return None if raises(fact) else known
 
+    given = given_arguments(callback, function)
+
     def branch(known: Known | None, test: facts.Expr, truth: bool) -> Known | None:
-        return None if known is None or nobody_waits(test, truth) else within(known, test, truth, followed)
+        if known is None or nobody_waits(test, truth) or (given is not None and given.rules_out(test, truth)):
+            return None
+        return within(known, test, truth, followed)
 
     start: Known | None = proven(conditions, followed)
     return graph_of(function.body).ends(start, step, branch)
