@@ -39,6 +39,34 @@ def test_a_default_that_the_next_include_gets(findings):
     assert finding.place.file == "launch/it.launch.xml"
 
 
+def test_the_first_of_several_includes_that_set_an_argument(findings):
+    """A group around the last one would leave the value of the one in front of it."""
+    launch = include("driver", rviz="left") + include("driver", rviz="right") + include("panel")
+    (finding,) = findings("LCH009", launch, **FILES)
+    assert finding.message == (
+        "'rviz' keeps 'right' behind 2 includes from this one on: panel.launch.xml does not get its own default, "
+        "'maybe'"
+    )
+    assert finding.help == "put each of these includes into a <group>, which gives the arguments back at its end"
+    assert finding.place.line == 1
+    assert 2 in [row.place.line for row in finding.related]
+
+
+@pytest.mark.parametrize(("second", "told"), [("right", "instead of 'true'"), ("true", "")])
+def test_the_value_that_was_there_in_front_of_all_includes(findings, second: str, told: str):
+    shown = '<let name="shown" value="$(var rviz)"/>'
+    launch = OWN + include("driver", rviz="left") + include("driver", rviz=second) + shown
+    assert [told in finding.message for finding in findings("LCH009", launch, **FILES)] == [True] * bool(told)
+
+
+@pytest.mark.parametrize(("name", "told"), [("show_rviz", False), ("speed", True)])
+def test_an_include_that_is_given_its_value_by_another_name(findings, name: str, told: bool):
+    """LCH003 says that panel.launch.xml does not take it: with the right name nothing leaks."""
+    launch = include("driver", rviz="false") + include("panel", **{name: "true"})
+    assert bool(findings("LCH009", launch, **FILES)) is told
+    assert len(findings("LCH003", launch, **FILES)) == 1
+
+
 @pytest.mark.parametrize("period", [None, 8.0])
 def test_an_argument_that_a_timer_of_the_include_reads_needs_another_name(findings, period: float | None):
     """A group has given the argument back by the time that the timer fires: what it starts would read the old one."""

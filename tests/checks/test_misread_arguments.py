@@ -40,6 +40,22 @@ def test_an_argument_that_is_read_by_another_name(findings, read: str, declared:
 
 
 @pytest.mark.parametrize(
+    ("declared", "more", "help"),
+    [
+        ("arm_yaml", "", "read 'arm_yaml', or declare 'base_yaml'"),
+        ("arm_yaml", ", LaunchConfiguration('arm_yaml')", "declare it before it is read"),
+        ("speed", "", "declare it before it is read"),
+    ],
+    ids=["unread", "read", "of another kind"],
+)
+def test_an_undeclared_argument_where_the_file_declares_one_that_nothing_reads(findings, declared, more, help):
+    """A line that was copied from the launch file of another node still has the name of its file."""
+    (told,) = findings("LCH003", **_files("LaunchConfiguration('base_yaml')", declared, more))
+    assert told.message.startswith("no launch argument 'base_yaml' is declared, and nothing ")
+    assert (told.help or "").startswith(help)
+
+
+@pytest.mark.parametrize(
     "files",
     [
         _files("LaunchConfiguration('mode', default='b')", "mode"),

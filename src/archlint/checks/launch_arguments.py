@@ -21,7 +21,7 @@ from archlint.launch_files.fragments import is_left_out_fragment
 from archlint.launch_files.launch_code import may_read_argument
 from archlint.launch_files.misread_arguments import MisreadArgument, misread_arguments
 from archlint.launch_files.substitution_values import is_chosen_in_vain
-from archlint.launch_files.unread_arguments import all_readers_are_known
+from archlint.launch_files.unread_arguments import all_readers_are_known, unread_argument_meant
 from archlint.suggestions import did_you_mean, listed
 
 if TYPE_CHECKING:
@@ -155,7 +155,7 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
             identity=(use.file, use.name),
         )
     for uses in plain.values():
-        yield _never_declared(launched, uses)
+        yield _never_declared(system.workspace, launched, uses)
 
 
 def _is_set_above(workspace: WorkspaceIndex | None, launched: Launched, use: UndeclaredUse) -> bool:
@@ -186,10 +186,13 @@ def _is_required_by_include(launched: Launched, use: UndeclaredUse) -> bool:
     return all(argument.default is None and argument.file != use.file for argument in rows)
 
 
-def _never_declared(launched: Launched, uses: Sequence[UndeclaredUse]) -> Finding:
+def _never_declared(workspace: WorkspaceIndex | None, launched: Launched, uses: Sequence[UndeclaredUse]) -> Finding:
     """One finding for all that a file reads and nobody declares.  Where a file declares nothing at all, whoever starts
     it gives the names on the command line: they are only missing from what ``--show-args`` lists."""
     first, *others = uses
+    meant = None if others or workspace is None else unread_argument_meant(workspace, launched, first.name, first.file)
+    if meant is not None:
+        return _misread(MisreadArgument(first.name, meant.name, first.place, meant.place))
     declared = sorted({argument.name for argument in launched.declared})
     message = f"no launch argument '{first.name}' is declared, and nothing sets it" + did_you_mean(first.name, declared)
     if others:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds, package_around, with_other_places
@@ -13,7 +13,9 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.launch.mistakes import LeakedArgument
+    from archlint.launch.model import Launched
     from archlint.systems.model import System, WorkspaceIndex
 
 _SHARED = frozenset({"use_sim_time", "log_level"})
@@ -28,8 +30,21 @@ def leaked_launch_argument(system: System, options: Options) -> Iterator[Finding
     told = places_of_unknown_arguments(system.workspace, system.launched)
     for leak in system.launched.leaked:
         shared = leak.name in _SHARED or (leak.name == "namespace" and leak.is_declared_in_vain)
-        if leak.given not in told and not shared:
+        renamed = leak.is_declared_in_vain and _is_passed_by_another_name(system.launched, leak, told)
+        if leak.given not in told and not shared and not renamed:
             yield _finding(system.workspace, leak)
+
+
+def _is_passed_by_another_name(launched: Launched, leak: LeakedArgument, unknown: Collection[Place]) -> bool:
+    """Whether the include that does not get its own default is given a value by a name that it does not take: LCH003
+    says so, and with the right name nothing leaks into it."""
+    words = set(leak.name.split("_"))
+    return any(
+        place in unknown and not words.isdisjoint(name.split("_"))
+        for include in launched.included
+        if include.reference.source == leak.file
+        for name, place in include.arguments
+    )
 
 
 def _finding(workspace: WorkspaceIndex, leak: LeakedArgument) -> Finding:
@@ -51,8 +66,13 @@ def _finding(workspace: WorkspaceIndex, leak: LeakedArgument) -> Finding:
         message = f"'{name}' keeps {value} behind this include, instead of {own}: includes are not scoped"
         related = [Related(leak.read, f"'{name}' is read here")]
         place = leak.given
+    if leak.earlier:  # the others would leak without this one
+        place, *others = leak.earlier
+        related += [Related(other, f"'{name}' is set here, too") for other in (*others, leak.given)]
+        message = message.replace("behind this include", f"behind {len(leak.earlier) + 1} includes from this one on")
     group = "<group>" if not leak.include.file.endswith(".py") else "GroupAction([…])"
-    help = f"put the include into a {group}, which gives the arguments back at its end"
+    them = "each of these includes" if leak.earlier else "the include"
+    help = f"put {them} into a {group}, which gives the arguments back at its end"
     if leak.read_late:  # a group has ended by then
         help = f"rename the argument '{name}' in one of the two files: what is included reads it in a timer or an event"
     return finding(

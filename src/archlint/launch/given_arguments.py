@@ -26,8 +26,9 @@ class _Given(NamedTuple):
     place: Place
     file: str
     include: Place
-    was_set: bool
     before: Value | None
+    """What it was in front of all of these includes."""
+    earlier: tuple[Place, ...]
 
 
 class _Default(NamedTuple):
@@ -80,8 +81,11 @@ class GivenArguments:
         """An include in a file gives an argument a value; ``place`` is where that is written, ``before`` the value of
         the configuration in front of it."""
         last = self._given.get(name)
-        was_set = last.was_set if last is not None and last.value is before else before is not None
-        self._given[name] = _Given(value, place, file, include, was_set, before)
+        earlier: tuple[Place, ...] = ()
+        if last is not None and last.value is before:
+            before = last.before
+            earlier = tuple(dict.fromkeys((*last.earlier, last.place))) if last.file == file else ()
+        self._given[name] = _Given(value, place, file, include, before, earlier)
 
     @contextmanager
     def passing(self, names: Collection[str]) -> Iterator[None]:
@@ -103,11 +107,11 @@ class GivenArguments:
             self._late.add((given.include, name))
         if given is None or given.value is not value or given.file != file or given.include == action:
             return
-        if not given.was_set:
+        if given.before is None:
             self._result.set_by_includes.add((file, name))
             return
         self._result.read_on.setdefault(given.place, action)
-        self._note_leak(name, value, given.before, given.place, action, file, given.include)
+        self._note_leak(name, value, given.before, given.place, action, file, given.include, earlier=given.earlier)
 
     def note_shown(self, name: str, value: Value | None) -> None:
         """A log message shows a value, and nothing follows from that."""
@@ -135,7 +139,8 @@ class GivenArguments:
         given, other = self._given.get(name), self._defaults.get(name)
         if given is not None and given.value is value and given.include not in includes:
             self._result.reach_later.add(given.place)
-            self._note_in_vain(value, self._note_leak(name, value, own, given.place, place, file, given.include))
+            leak = self._note_leak(name, value, own, given.place, place, file, given.include, earlier=given.earlier)
+            self._note_in_vain(value, leak)
         elif other is not None and other.value is value and other.file != file:
             beside = [include for include in other.includes if include not in includes]
             if beside:
@@ -153,6 +158,7 @@ class GivenArguments:
         include: Place,
         *,
         default: bool = False,
+        earlier: tuple[Place, ...] = (),
     ) -> LeakedArgument | None:
         text, own_text = known_text(value), known_text(own)
         if text is None or own_text is None or is_made_by_launch(text):
@@ -160,7 +166,8 @@ class GivenArguments:
             return None
         if text.lower() == own_text.lower():
             return None
-        leak = LeakedArgument(name, text, own_text, given, read, file, include, default, (include, name) in self._late)
+        late, others = (include, name) in self._late, tuple(place for place in earlier if place != given)
+        leak = LeakedArgument(name, text, own_text, given, read, file, include, default, late, others)
         if leak not in self._result.leaked:
             self._result.leaked.append(leak)
         return leak

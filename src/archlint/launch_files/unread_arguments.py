@@ -75,6 +75,24 @@ def unread_arguments(system: System) -> Iterator[DeclaredArgument]:
             yield argument
 
 
+def unread_argument_meant(
+    workspace: WorkspaceIndex, launched: Launched, name: str, file: str
+) -> DeclaredArgument | None:
+    """The only argument that a file declares and that nothing reads, of those that a name which it does not declare may
+    stand for: a copied line reads ``base_yaml`` where the file has ``arm_yaml``."""
+    kind = _last_word(name)
+    alike = [
+        argument
+        for argument in launched.declared
+        if argument.file == file and argument.name not in launched.read and _last_word(argument.name) == kind
+    ]
+    return alike[0] if len(alike) == 1 and not may_be_read(workspace, launched, alike[0].name) else None
+
+
+def _last_word(name: str) -> str:
+    return re.split(r"[_\-.]", name)[-1]
+
+
 _ON_PURPOSE = re.compile(r"\b(?:compat\w*|deprecated|ignored|no longer used|not used|unused)\b", re.IGNORECASE)
 """Words of a comment that says why nothing reads an argument."""
 
@@ -199,5 +217,6 @@ __all__ = [
     "is_text_that_yaml_reads",
     "kept_for_nothing",
     "may_be_read",
+    "unread_argument_meant",
     "unread_arguments",
 ]
