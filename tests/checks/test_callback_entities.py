@@ -41,9 +41,22 @@ class TestEntitiesOfCallbacks:
         lines = text.splitlines()
         assert lines[told.place.line - 1].strip() == "Tool(self)"
         assert "makes a Tool, which creates a client of 'go', each time it runs" in told.message
+        assert "the old one is never destroyed" in told.message
         assert (told.help or "").startswith("make the Tool once, in the constructor of ")
         created = [lines[row.place.line - 1] for row in told.related if row.message == "it is created here"]
         assert ["create_client" in line for line in created] == [True]
+
+    def test_a_node_that_a_callback_makes_goes_with_its_last_name(self, run: Run):
+        camera = (
+            "\n\nclass Camera(Node):\n    def __init__(self):\n        super().__init__('camera')\n"
+            "        self.create_subscription(Empty, 'image', print, 1)\n"
+        )
+        text = source(TIMER, "def tick(self):\n    camera = Camera()\n    print(camera)\n")
+        [told] = [row for row in run(text.replace("\n\nclass ", f"{camera}\n\nclass ", 1)) if row.code == "EXE005"]
+        assert told.message.endswith(
+            "makes a Camera, which creates a subscription to 'image', each time it runs, and nothing destroys the old "
+            "node: it lasts until Python's garbage collector finds it"
+        )
 
     @pytest.mark.parametrize(("end", "told"), [("self.destroy_node()", False), ("print('gone')", True)])
     def test_a_node_that_goes_with_its_object_takes_what_it_creates_along(self, run: Run, end: str, told: bool):

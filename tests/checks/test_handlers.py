@@ -53,6 +53,12 @@ RETURNS = {
             return response
         raise RuntimeError('not ready')
     """,
+    "either way of one question": """
+        if request.on:
+            return response
+        elif not request.on:
+            return Trigger.Response()
+    """,
     "forever": """
         while True:
             if self.ready:
@@ -109,6 +115,14 @@ MISSING = {
     "an exception that is swallowed": ("try:\n    return self.start()\nexcept OSError:\n    self.note()", [1]),
     "its request": ("request.done = True\nreturn request", [3]),
     "the class of its response": ("return Trigger.Response", [2]),
+    "one question, and another": (
+        "if request.on:\n    return response\nelif not request.off:\n    return response",
+        [1],
+    ),
+    "asked again of something else": (
+        "if request:\n    return response\nrequest = self.load()\nif not request:\n    return response",
+        [1],
+    ),
     "two ways": ("if self.ready:\n    return\nreturn None", [3]),
 }
 

@@ -174,6 +174,28 @@ class TestExecutorsAndGroups:
         [found] = judge("SRV003", gripper(ignored, THREADS, client=", callback_group=self.apart"))
         assert found.help == "make the handler async, and await call_async(…): no thread is blocked then"
 
+    @pytest.mark.parametrize(
+        ("line", "help"),
+        [
+            ("{}  # here", "send the request with call_async() and do not wait: nobody looks at the response here"),
+            (
+                "response.success = {}.success  # here",
+                "send the request with call_async(), and wait with a limit for a threading.Event that its done "
+                "callback sets",
+            ),
+        ],
+        ids=["thrown away", "used"],
+    )
+    def test_a_handler_that_is_called_directly_cannot_be_async(self, judge: Judge, line: str, help: str):
+        """The coroutine of the direct call would be dropped, and nothing of it would run."""
+        body = [line.format("self.motor.call(SetBool.Request())"), "return response"]
+        stop = "\n        def stop(self):\n            self.close(None, Trigger.Response())\n\n"
+        [found] = judge("SRV003", gripper(body, THREADS, client=", callback_group=self.apart", extra=stop))
+        assert found.help == help
+        awaited = stop.replace("def", "async def").replace("self.close(", "await self.close(")
+        [found] = judge("SRV003", gripper(body, THREADS, client=", callback_group=self.apart", extra=awaited))
+        assert found.help == "make the handler async, and await call_async(…): no thread is blocked then"
+
     def test_a_loop_without_a_limit_is_told_to_have_one(self, judge: Judge):
         ask = "future = self.motor.call_async(SetBool.Request())"
         body = (ask, "while not future.done():  # here", "    time.sleep(0.1)", "return future.result()")

@@ -169,6 +169,15 @@ def test_a_node_that_starts_up_may_wait_and_a_callback_may_not(judge: Judge):
     assert ticking.severity is Severity.WARNING and "service_is_ready" in ticking.help
 
 
+def test_a_callback_shares_a_loop_with_the_start(judge: Judge):
+    """The node has to wait while it starts, or nothing would be there for it."""
+    reset = ("def reset():", f"    while not {WAIT}:  # here", "        print('waiting')")
+    [told] = judge("TMO004", script(*reset, "reset()", "node.create_timer(1.0, reset)", "rclpy.spin(node)"))
+    assert told.help == (
+        "wait where the node starts, before it calls this, and only check here: if not ….service_is_ready():"
+    )
+
+
 def test_a_handler_that_waits_for_the_answer_next_is_one_finding(judge: Judge):
     lines = (
         "def handle(request, response):",

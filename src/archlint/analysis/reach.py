@@ -44,6 +44,17 @@ def _in_source(row: tuple[Program, ApiCall]) -> tuple[object, ...]:
     return call.place.file, call.place.span, call.api, len(call.chain)
 
 
+@once
+def calls_at_start(system: System) -> frozenset[Place]:
+    """The calls that programs come to while they start, too."""
+    return frozenset(
+        call.place
+        for program in system.programs
+        for call in program.calls
+        if call.context.role in (Role.INIT, Role.MAIN)
+    )
+
+
 _Noted = TypeVar("_Noted", "AbsentRead", "RefusedCall", "WrongValue", "MistakenFuture")
 
 

@@ -111,6 +111,8 @@ def _created(system: System, creation: Creation, callback: Callback, left: bool)
     article = "an" if entity[0] == "a" else "a"
     makes = next((frame for frame in creation.chain if frame.callee.endswith(_CONSTRUCTOR)), None)
     if makes is not None:
+        if makes.callee.removesuffix(_CONSTRUCTOR).rpartition(".")[2] == creation.node.class_name and not left:
+            end = "nothing destroys the old node: it lasts until Python's garbage collector finds it"
         return _of_object(system, creation, callback, makes, f"{article} {entity}, each time it {gets}, and {end}")
     return finding(
         "EXE005",
@@ -138,7 +140,7 @@ def _of_object(system: System, creation: Creation, callback: Callback, makes: Fr
     return finding(
         "EXE005",
         makes.place,
-        f"{callback_words(callback)} makes a {kind}, which creates {entity}",
+        f"{callback_words(callback)} makes {'an' if kind[0] in 'AEIO' else 'a'} {kind}, which creates {entity}",
         help=f"make the {kind} once, {where}, and keep it",
         related=[
             Related(callback.place, f"{callback.name} runs repeatedly"),

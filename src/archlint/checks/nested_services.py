@@ -25,6 +25,7 @@ from archlint.checks.wait_words import to_await
 from archlint.execution.blocking import ONE
 from archlint.execution.busy_flags import returns_while_busy
 from archlint.execution.callback_roles import runs_in_executor
+from archlint.execution.called_here import is_called_directly
 from archlint.execution.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor, threads_of
 from archlint.execution.present_servers import is_looked_for
 from archlint.execution.spins import is_spun_for_moments
@@ -45,6 +46,8 @@ _NAMES_SHOWN = 3
 _GO_ON = "send the request with {}, return, and publish the outcome from the done callback"
 _AWAIT = "make the handler async, give the client its own callback group, and await {}"
 _ONLY_AWAIT = "make the handler async, and await {}: no thread is blocked then"
+_NO_WAIT = "send the request with call_async() and do not wait: nobody looks at the response here"
+_EVENT = "send the request with call_async(), and wait with a limit for a threading.Event that its done callback sets"
 _OWN_GROUP = "give {} its own callback group, so that the other callbacks keep running"
 _MORE_THREADS = "spin the node with a MultiThreadedExecutor, and give {} its own callback group"
 _NOT_WITH_IT = "give {} a different callback group from the handlers that wait here"
@@ -248,6 +251,8 @@ def _help(
         return _IF_IT_CAN
     if verdict.safe and not blocked and wait.call.api in _WITHOUT_LIMIT:
         return _WITHOUT_LIMIT[wait.call.api]
+    if is_called_directly(source_code(system), wait.call.context):
+        return _NO_WAIT if _thrown_away(system, wait) else _EVENT
     advice = _ONLY_AWAIT if resumes else _AWAIT
     return advice.format(to_await(wait.call, wait.client))
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import once
 from archlint.analysis.left_over import is_left_unmade
 from archlint.analysis.order import is_called_in_branches
-from archlint.analysis.reach import creations_of, judged_calls, one_for_each_place
+from archlint.analysis.reach import calls_at_start, creations_of, judged_calls, one_for_each_place
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.added_waits import added_waits
 from archlint.checks.brief_waits import are_brief
@@ -79,7 +79,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # EXE001 says what is wrong, and its cure is this one's
         if _is_pause_of_retry(code, call, stay):
             continue  # so it is here, and there are few attempts
-        if stay.kind == "sleep" and call.branch_arms and call.place in _at_start(system):
+        if stay.kind == "sleep" and call.branch_arms and call.place in calls_at_start(system):
             continue  # a device is opened again as at the start: without it the callback can do nothing
         if stay.kind == "sleep" and (ends_its_timer_after(system, call) or (quiet and speaks_beside(code, call))):
             continue  # the timer sleeps once; and beside words that are spoken, a pause is short
@@ -235,17 +235,6 @@ def held_up_by_goals(system: System) -> frozenset[int]:
         id(call.context.node)
         for program, call, stay in long_stays(system)
         if call.context.role == Role.EXECUTE and not _is_left_alone(system, program, call, stay)
-    )
-
-
-@once
-def _at_start(system: System) -> frozenset[Place]:
-    """The calls that programs come to while they start, too."""
-    return frozenset(
-        call.place
-        for program in system.programs
-        for call in program.calls
-        if call.context.role in (Role.INIT, Role.MAIN)
     )
 
 

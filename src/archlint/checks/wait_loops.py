@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.left_over import is_dead, is_never_made
-from archlint.analysis.reach import calls_of, creations_of, has_limit, node_name, related_creation
+from archlint.analysis.reach import calls_at_start, calls_of, creations_of, has_limit, node_name, related_creation
 from archlint.analysis.source_code import source_code
 from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
 from archlint.checks.registry import Options, finding, rule
@@ -111,7 +111,7 @@ def _endless(system: System, calls: Sequence[ApiCall], end: LoopEnd, *, beside: 
         "TMO004",
         call.place,
         f"this loop ends only when {_what_comes(system, alike, end)}: until then {stands}",
-        help=_help(call, ready) if in_callback else "end it after some attempts: for _ in range(10):",
+        help=_help(system, call, ready) if in_callback else "end it after some attempts: for _ in range(10):",
         related=[*related_path(call, call.creation), *_other_clients(call, alike)],
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, "" if call.creation is None else call.creation.name.text or "", "loop"),
@@ -137,10 +137,13 @@ def _other_clients(call: ApiCall, calls: Sequence[ApiCall]) -> list[Related]:
     return list(dict.fromkeys(related for creation in creations for related in related_creation(creation)))
 
 
-def _help(call: ApiCall, ready: str) -> str:
-    """What a callback does instead; a client that it has just made has found no server yet."""
+def _help(system: System, call: ApiCall, ready: str) -> str:
+    """What a callback does instead; a client that it has just made has found no server yet, and where the node gets to
+    the same loop while it starts, it has to wait there."""
     if made_here(call):
         return MAKE_IT_EARLIER
+    if call.place in calls_at_start(system):
+        return f"wait where the node starts, before it calls this, and only check here: if not ….{ready}():"
     return f"check without waiting, and handle the case that it is missing: if not ….{ready}():"
 
 

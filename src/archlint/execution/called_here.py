@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import called_name
+
+if TYPE_CHECKING:
+    from archlint.analysis.source_code import SourceCode
+    from archlint.model import Callback
 
 
 def called_here(call: facts.Call, caller: facts.Function, file: facts.Facts) -> facts.Function | None:
@@ -20,6 +26,16 @@ def called_here(call: facts.Call, caller: facts.Function, file: facts.Facts) -> 
     return None
 
 
+def is_called_directly(code: SourceCode, callback: Callback) -> bool:
+    """Whether a line of its file calls a callback, too, and does not await it: made async, it would not run there."""
+    file, name = code.facts_at(callback.file), callback.name.rpartition(".")[2]
+    if file is None:
+        return False
+    awaited = {id(part.value) for part in everything_in(file.body, facts.Await)}
+    called = (call for call in everything_in(file.body, facts.Call) if called_name(call) == name)
+    return any(id(call) not in awaited for call in called)
+
+
 def _class_of(method: facts.Function, file: facts.Facts) -> facts.Class | None:
     classes = everything_in(file.body, facts.Class)
     return next((cls for cls in classes if any(member is method for member in cls.body)), None)
@@ -30,4 +46,4 @@ def _only(body: Sequence[facts.Stmt], name: str) -> facts.Function | None:
     return named[0] if len(named) == 1 and not named[0].decorators else None
 
 
-__all__ = ["called_here"]
+__all__ = ["called_here", "is_called_directly"]

@@ -9,7 +9,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.finding import Place
 from archlint.model import Role
 from archlint.python_code.annotations import interface_of
-from archlint.python_code.assumptions import Known, asked, proven, within
+from archlint.python_code.assumptions import MOST, Known, after, asked, proven, variables, within
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.given_arguments import given_arguments
 from archlint.python_code.other_responses import other_response
@@ -165,10 +165,13 @@ def _ends_as_created(
         for target in statement.targets
         for part in parts_of(target, facts.Name)
     }
-    followed = asked(conditions) - own
+    outer = asked(conditions) - own
+    # What is asked twice has been answered the first time: ``if request.on:`` and ``elif not request.on:``.
+    twice = variables(function.body)
+    followed = outer | twice if len(twice) <= MOST else outer
 
     def step(known: Known | None, fact: facts.Base) -> Known | None:
-        return None if raises(fact) else known
+        return None if known is None or raises(fact) else after(known, fact, followed)
 
     given = given_arguments(callback, function)
 
@@ -177,7 +180,7 @@ def _ends_as_created(
             return None
         return within(known, test, truth, followed)
 
-    start: Known | None = proven(conditions, followed)
+    start: Known | None = proven(conditions, outer)
     return graph_of(function.body).ends(start, step, branch)
 
 
