@@ -89,6 +89,18 @@ def test_a_command_of_milliseconds_keeps_nobody_waiting(run: Run, call: str, sev
     assert [one.severity.label for one in waits] == severity
 
 
+@pytest.mark.parametrize(
+    ("command", "expected"),
+    [("xacro {request} -o robot.urdf", []), ("/opt/xacro model", []), ("make {request}", ["EXE003"])],
+)
+def test_a_handler_needs_the_file_that_a_command_makes(run: Run, command: str, expected: list[str]):
+    """In a group of its own, the others would go on beside what it changes."""
+    serves = "self.create_service(Trigger, 'reset', self.reset)\nself.create_subscription(Empty, 'go', self.go, 1)\n"
+    reset = f"def reset(self, request, response):\n    subprocess.run(f'{command}', shell=True)\n    return response\n"
+    text = source(serves, reset + "\ndef go(self, message):\n    self.get_logger().info(str(message))\n")
+    assert codes(run(text)) == expected
+
+
 def test_what_takes_time_is_told_and_not_the_command_before_it(run: Run):
     """However many processes are ended, the pause after them is what costs time."""
     ends = "def end(self, names):\n    for name in names:\n        subprocess.run(['pkill', '-f', name])\n\n"

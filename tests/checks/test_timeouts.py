@@ -599,6 +599,47 @@ def test_what_a_script_waits_for_is_told_in_a_lesson_and_on_demand(judge: Judge)
     assert found.severity is Severity.INFO
 
 
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        ("word = sys.argv[1]\n        client.wait_for_service()", False),
+        ("words = sys.argv\n        client.wait_for_service()  # here", True),
+    ],
+    ids=["a word says what to do", "as rclpy takes them"],
+)
+def test_a_command_that_asks_one_thing_may_wait_in_a_lesson(judge: Judge, lines: str, told: bool):
+    found = judge("TMO001", script(lines).replace("import rclpy\n", "import sys\n\n    import rclpy\n", 1))
+    assert bool(found) is told
+
+
+def test_a_constructor_that_ends_its_program_is_a_command(judge: Judge):
+    once = """
+        import rclpy
+        from rclpy.node import Node
+        from std_srvs.srv import Trigger
+
+
+        class Once(Node):
+            def __init__(self):
+                super().__init__('once')
+                client = self.create_client(Trigger, 'go')
+                client.wait_for_service(){mark}
+                client.call_async(Trigger.Request())
+                {end}
+
+
+        def main():
+            rclpy.init()
+            Once()
+
+
+        if __name__ == '__main__':
+            main()
+    """
+    judge("TMO001", once.format(mark="", end="exit()"))
+    judge("TMO001", once.format(mark="  # here", end="print('asked')"))
+
+
 LOST_ANSWERS = "[rules.TMO003]\nlost-answers = true\n"
 
 START = """

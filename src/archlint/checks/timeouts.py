@@ -45,7 +45,7 @@ from archlint.execution.announced_waits import (
 )
 from archlint.execution.asking_scripts import is_launched, is_step_of_asking_script
 from archlint.execution.callback_roles import runs_in_executor
-from archlint.execution.called_by_hand import is_driven_by_hand
+from archlint.execution.called_by_hand import is_command, is_driven_by_hand
 from archlint.execution.client_loops import is_for_each_client
 from archlint.execution.own_timers import ends_its_timer_before
 from archlint.execution.present_servers import is_there
@@ -68,7 +68,7 @@ _LIMIT = {
 def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Waits for a service, an action server or a message that nothing limits; those of scripts, and of what nothing
     calls, in a lesson and with ``scripts``."""
-    minor = options.flag("scripts") or is_lesson(system)
+    minor, lesson = options.flag("scripts"), is_lesson(system)
     calls = list(calls_of(system, _LIMIT))
     called = {call.place for _, call in calls if call.context.role != Role.METHOD}
     yield from one_for_each_place(
@@ -82,7 +82,7 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         and not _is_unused(system, program, call)
         and not is_announced_start(system, call)
         and not is_announced_beside_others(system, program, call)
-        and (minor or not _is_minor(system, program, call))
+        and (minor or not _is_minor(system, program, call) or (lesson and not _is_command(system, program, call)))
         and not (is_ended_by_hand(system, call) and _is_minor(system, program, call))
         and not is_there(system, call)
         and not _has_waited_at_start(system, program, call)
@@ -192,6 +192,15 @@ def _is_minor(system: System, program: Program, call: ApiCall) -> bool:
     if node is None or call.context.role not in (Role.MAIN, Role.INIT) or is_launched(system.workspace, node):
         return False
     return is_driven_by_hand(source_code(system), program, node)
+
+
+def _is_command(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether a wait is of a program that somebody starts in a terminal to ask one thing: without the server there is
+    nothing that it could do, and Ctrl-C ends it."""
+    node = call.node or call.context.node
+    if call.context.role not in (Role.MAIN, Role.INIT) or (node is not None and is_launched(system.workspace, node)):
+        return False
+    return is_command(source_code(system), call.file)
 
 
 def is_uncalled(call: ApiCall) -> bool:

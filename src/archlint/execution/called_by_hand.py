@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 from archlint.execution.spins import is_spin_call
 from archlint.model import Role
 from archlint.syntax import facts
+from archlint.syntax.misspelt_constructor import CONSTRUCTOR
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import calls_in, statements_of
+from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
@@ -25,6 +26,20 @@ def left_to_executor(code: SourceCode, node: Blueprint, served: Sequence[Creatio
     """
     called = {name for _, name in _called(code, node)}
     return [creation for creation in served if not _callbacks(creation) <= called]
+
+
+def is_command(code: SourceCode, file: str) -> bool:
+    """Whether whoever starts a program in a terminal says there what it is to do, or its constructor is all there is of
+    it: code that reads a word of its command line, ``sys.argv[1]``, or a constructor that calls ``exit()``."""
+    file_facts = code.facts_at(file)
+    if file_facts is None:
+        return False
+    words = everything_in(file_facts.body, facts.Subscript)
+    if any(word.value.dotted == "sys.argv" and isinstance(word.index, facts.Literal) for word in words):
+        return True
+    functions = (each for each in everything_in(file_facts.body, facts.Function) if each.name == CONSTRUCTOR)
+    lines = (line for each in functions for line in each.body if isinstance(line, facts.Expression))
+    return any(isinstance(line.value, facts.Call) and called_name(line.value) == "exit" for line in lines)
 
 
 def is_driven_by_hand(code: SourceCode, program: Program, node: Blueprint) -> bool:
@@ -85,4 +100,4 @@ def _called(code: SourceCode, node: Blueprint) -> set[tuple[bool, str]]:
     }
 
 
-__all__ = ["is_driven_by_hand", "left_to_executor"]
+__all__ = ["is_command", "is_driven_by_hand", "left_to_executor"]

@@ -30,6 +30,14 @@ def is_soon_over(code: SourceCode, call: ApiCall) -> bool:
     return all(map(_asks_for_a_moment, _commands(code, call)))
 
 
+def makes_a_file(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a command makes a file of another one, of which what comes next depends: a second or less."""
+    return all(words and words[0].rpartition("/")[2] in _MAKES for words in _commands(code, call))
+
+
+_MAKES = frozenset({"xacro"})
+
+
 def _asks_for_a_moment(command_line: Sequence[str]) -> bool:
     words = [word.rpartition("/")[2] for word in command_line if not word.startswith("-")]
     match words:
@@ -101,4 +109,4 @@ def _words_in(values: Sequence[facts.Base]) -> list[str]:
     return words
 
 
-__all__ = ["ends_the_machine", "is_soon_over"]
+__all__ = ["ends_the_machine", "is_soon_over", "makes_a_file"]

@@ -10,7 +10,7 @@ from archlint.analysis.order import is_called_in_branches
 from archlint.analysis.reach import argument, judged_calls
 from archlint.analysis.source_code import source_code
 from archlint.execution.callback_roles import runs_in_executor
-from archlint.execution.commands import ends_the_machine, is_soon_over
+from archlint.execution.commands import ends_the_machine, is_soon_over, makes_a_file
 from archlint.execution.kept_waiting import blocks_nobody
 from archlint.execution.loop_times import in_loops
 from archlint.execution.openings import lets_settle
@@ -23,6 +23,7 @@ from archlint.execution.sleeps import Stay, stay_of
 from archlint.execution.spins import is_never_spun_at_all
 from archlint.execution.starting_threads import waits_for_its_thread
 from archlint.execution.ways_out import ends_at_a_miss, ends_with_the_node, hands_over, says_farewell
+from archlint.model import Role
 from archlint.model.given import Constant
 
 if TYPE_CHECKING:
@@ -59,6 +60,7 @@ def long_stays(system: System) -> Iterator[LongStay]:
             or hands_over(code, call, stay)
             or says_farewell(code, call, stay)
             or (stay.kind == "process" and (not call.looped or is_retry(code, call)) and is_soon_over(code, call))
+            or (stay.kind == "process" and call.context.role == Role.SERVICE and makes_a_file(code, call))
             or (stay.kind == "sleep" and waits_for_its_thread(code, call))
             or _is_no_program(system, call.context)
             or (call.context.node is not None and is_never_spun_at_all(code, program, call.context.node))
