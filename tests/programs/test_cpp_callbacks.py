@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from tests.cpp_nodes import graph
 
 LATE = """
@@ -72,3 +73,44 @@ def test_a_partial_of_one_function_or_another() -> None:
     text = text.replace("int main", "void other(std::shared_ptr<rclcpp::Node>, std::string) {}\nint main")
     [node] = graph({"src/robot.cpp": text})["nodes"]
     assert [end["name"] for end in node["subscribers"]] == ["/scan"]
+
+
+HOOKED = """
+#include <functional>
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+using String = std_msgs::msg::String;
+struct Hooks { std::function<void()> on_ready; };
+class Robot : public rclcpp::Node {
+public:
+  Robot() : Node("robot") {}
+  void start() {
+    declare_parameter<int>("id", 3);
+    id_ = get_parameter("id").as_int();
+    declare_parameter<std::string>("group", "arm");
+    group_ = get_parameter("group").as_string();
+    hooks_.on_ready = std::bind(&Robot::open, this);
+  }
+private:
+  void open() { pub_ = create_publisher<String>("pose/" + group_ + std::to_string(id_), 1); }
+  Hooks hooks_;
+  int id_{0};
+  std::string group_{""};
+  rclcpp::Publisher<String>::SharedPtr pub_;
+};
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  auto robot = std::make_shared<Robot>();
+  %s
+  rclcpp::spin(robot);
+}
+"""
+
+
+@pytest.mark.parametrize("start", ["robot->start();", ""])
+def test_a_method_that_is_called_later_does_not_meet_what_a_member_starts_with(start: str) -> None:
+    [node] = graph({"src/robot.cpp": HOOKED % start})["nodes"]
+    names = {end["name"] for end in node["publishers"]}
+    assert "/pose/arm3" in names
+    assert not any("0" in name for name in names)
+    assert not any(end["error"] for end in node["publishers"])

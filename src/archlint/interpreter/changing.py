@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.interpreter.values import ClassValue, FunctionValue, Known, Unknown, Value
 from archlint.syntax import facts
@@ -17,7 +17,14 @@ _BEFORE = frozenset({"__init__", "__fields__"})
 """The methods that run before all others; in C++ the second gives fields their first values."""
 
 
-def changed_attributes(machine: Machine, cls: ClassValue) -> dict[str, tuple[Value, ...]]:
+class Changes(NamedTuple):
+    """What an attribute is given: by the methods that run before all others, and by those that change it."""
+
+    first: tuple[Value, ...]
+    later: tuple[Value, ...]
+
+
+def changed_attributes(machine: Machine, cls: ClassValue) -> dict[str, Changes]:
     """The attributes that the methods of a class, and of those it derives from, change, and what they put there."""
     given: dict[str, list[tuple[bool, Value]]] = {}
     for base in cls.classes:
@@ -25,10 +32,16 @@ def changed_attributes(machine: Machine, cls: ClassValue) -> dict[str, tuple[Val
             for name, value in _assigned(Itself(method)):
                 given.setdefault(name, []).append((method.name not in _BEFORE, value))
     return {
-        name: tuple(dict.fromkeys(value for _, value in rows))
+        name: Changes(
+            *(tuple(dict.fromkeys(value for later, value in rows if later is when)) for when in (False, True))
+        )
         for name, rows in given.items()
         if len(rows) > 1 and any(later for later, _ in rows)
     }
+
+
+def _when(rows: list[tuple[bool, Value]], *, later: bool) -> tuple[Value, ...]:
+    return tuple(dict.fromkeys(value for changes, value in rows if changes is later))
 
 
 def _methods_of(machine: Machine, cls: ClassValue) -> list[facts.Function]:
@@ -59,7 +72,8 @@ def _targets(statement: facts.Base, own: str) -> Iterator[tuple[str, Value]]:
             yield from ((name, _literal(statement.value)) for name in _names(statement.target, own))
 
 
-_CHANGES = Unknown("methods change it")
+CHANGED = "methods change it"
+_CHANGES = Unknown(CHANGED)
 
 
 def _literal(value: facts.Expr) -> Value:

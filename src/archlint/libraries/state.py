@@ -13,6 +13,7 @@ from archlint.records import dataclass
 if TYPE_CHECKING:
     from archlint.branches import BranchArm
     from archlint.interpreter.activation import Activation
+    from archlint.interpreter.changing import Changes
     from archlint.interpreter.heap import Slot
     from archlint.interpreter.identity import Key
     from archlint.interpreter.modules import Module
@@ -138,7 +139,7 @@ class ChangedAttributes:
 
     slots: list[tuple[int, str]] = field(default_factory=list)
     """The key of the object, and the attribute."""
-    others: list[tuple[Value, ...]] = field(default_factory=list)
+    changes: list[Changes] = field(default_factory=list)
     """What the methods put there."""
     values: list[Value | None] = field(default_factory=list)
     """What it held when a method was last run."""
@@ -149,10 +150,10 @@ class ChangedAttributes:
     seen_instances: int = 0
     """How many of the program's objects these are of."""
 
-    def add(self, slot: tuple[int, str], others: tuple[Value, ...]) -> None:
+    def add(self, slot: tuple[int, str], changes: Changes) -> None:
         """One more attribute, of which nothing is known yet."""
         self.slots.append(slot)
-        self.others.append(others)
+        self.changes.append(changes)
         self.values.append(None)
         self.options.append(None)
 
