@@ -87,6 +87,23 @@ def test_the_name_that_the_code_gives_the_node(findings, key: str):
         assert told.related == ()
 
 
+LIFECYCLE = '<node pkg="nav2_lifecycle_manager" exec="lifecycle_manager" name="manager">{}</node>'
+IN_MANAGERS_FILE = "manager: {ros__parameters: {node_names: [front_speaker]}}\n"
+
+
+@pytest.mark.parametrize(
+    ("parameter", "file"),
+    [
+        ('<param name="node_names" value="[front_speaker]"/>', ""),
+        ('<param from="$(find-pkg-share robot)/config/p.yaml"/>', IN_MANAGERS_FILE),
+    ],
+)
+def test_a_name_that_a_lifecycle_manager_knows_stays(findings, parameter: str, file: str):
+    launch = node(LOAD_IT, name="front_speaker") + LIFECYCLE.format(parameter)
+    (told,) = findings("PRM005", launch, **{"config/p.yaml": f"talker: {RATE}\n{file}"})
+    assert told.help == "write '/front_speaker:', since the lifecycle manager knows the node by that name"
+
+
 @pytest.mark.parametrize(
     ("key", "program", "told"),
     [

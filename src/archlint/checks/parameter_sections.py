@@ -16,6 +16,7 @@ from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch.kinds import FileStatus
 from archlint.launch_files.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
 from archlint.launch_files.files_read_in_code import is_for_a_test, is_read_in_code
+from archlint.launch_files.managed_nodes import managed_nodes
 from archlint.launch_files.plugin_parameters import controllers_of, costmaps_without_namespace
 from archlint.launch_files.set_parameters import (
     files_of,
@@ -47,6 +48,8 @@ class _Loader:
     node: Node
     other_name: bool
     other_namespace: bool
+    managed: bool = False
+    """Whether a lifecycle manager of the launch knows it by that name."""
 
     @property
     def last(self) -> str:
@@ -177,7 +180,11 @@ def _own_names(node: Node) -> set[str | None]:
 
 def _renamed(told: Finding, loader: _Loader) -> Finding:
     """The key is right for a node that is started without launch: what is to be changed may be the launch file."""
-    help = f"take the name off the node in the launch file, or write '{loader.name}:' if nothing else starts it"
+    help = (
+        f"write '{loader.name}:', since the lifecycle manager knows the node by that name"
+        if loader.managed
+        else f"take the name off the node in the launch file, or write '{loader.name}:' if nothing else starts it"
+    )
     at = loader.node.launch_place
     related = () if at is None else (Related(at, f"this calls it '{loader.name}'"),)
     return replace(told, help=help, related=related)
@@ -326,6 +333,7 @@ def _nodes_beside(workspace: WorkspaceIndex, file: str) -> list[_Loader]:
             return []
         if any(i.reference.source is None and _may_read(i, file) for i in launched.included):
             return []
+        managed = managed_nodes(workspace, launched)
         for node in system.nodes:
             process = node.started
             if node.name is None or node.resolution not in ("exact", "parameter"):
@@ -333,7 +341,7 @@ def _nodes_beside(workspace: WorkspaceIndex, file: str) -> list[_Loader]:
                     return []
                 continue  # whatever it is called, nothing of the file is for it
             other_name = process is not None and name_is_chosen(launched, process)
-            loaders.append(
-                _Loader(node.name, node, other_name, process is not None and namespace_is_chosen(launched, process))
-            )
+            other_namespace = process is not None and namespace_is_chosen(launched, process)
+            is_managed = node.name.rpartition("/")[2] in managed
+            loaders.append(_Loader(node.name, node, other_name, other_namespace, is_managed))
     return loaders
