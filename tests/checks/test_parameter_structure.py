@@ -54,6 +54,14 @@ def test_ros__parameters_is_missing_misspelt_or_in_the_wrong_place(findings, tex
     assert [related.place.file for related in told.related] == ["launch/it.launch.xml"]
 
 
+@pytest.mark.parametrize("text", ["agent:\n  device: /dev/tty\n", "agent:\n  ros__parameters:\n    device:\n"])
+def test_a_program_that_initialises_no_ros_does_not_read_it(findings, text: str):
+    agent = LOAD_IT.replace("'robot' exec='talker'", "'micro_ros_agent' exec='micro_ros_agent'")
+    assert agent != LOAD_IT
+    assert findings("PRM009", agent, **{"config/p.yaml": text}) == []
+    assert len(findings("PRM009", LOAD_IT, **{"config/p.yaml": text})) == 1
+
+
 def test_a_file_that_two_launch_files_give_is_told_once(findings):
     files = {"config/p.yaml": "talker:\n  rate: 1.0\n"}
     other = {"launch/other.launch.xml": f"<launch>\n{LOAD_IT.replace('talker', 'second')}\n</launch>"}

@@ -6,13 +6,14 @@ Source: ``find_parameter_arrays`` and ``parse_value`` of rcl_yaml_param_parser, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.launch.kinds import StartedKind
 from archlint.launch.parameter_sources import ParameterFileUse, files_among
 from archlint.records import dataclass
+from archlint.ros.released_programs import is_without_node
 from archlint.syntax.parameter_structure import ROOT, Misplaced, Misplacement
 from archlint.syntax.refused_parameters import Refusal, RefusedParameter
 
@@ -44,7 +45,7 @@ def misplaced_in_files(system: System) -> Iterator[MisplacedIn]:
         return
     by_file: dict[str, MisplacedIn] = {}
     for started in system.launched.started:
-        for use in files_among(started.parameters) if started.kind != StartedKind.COMPONENT else ():
+        for use in _read_by_rcl(started):
             key = _misplaced(system, started, use)
             if key is not None:
                 by_file.setdefault(key.file, key)
@@ -150,12 +151,19 @@ def _given_files(system: System) -> Iterator[tuple[str, str | None, Place, Param
         return
     seen: set[str] = set()
     for started in system.launched.started:
-        for use in files_among(started.parameters) if started.kind != StartedKind.COMPONENT else ():
+        for use in _read_by_rcl(started):
             file = use.reference.source
             if file is not None and file not in seen and not use.changes:
                 seen.add(file)
                 user = (started.name or started.executable).text
                 yield file, user, _given_at(started, use.place), system.workspace.parameters_of(file)
+
+
+def _read_by_rcl(started: Started) -> Iterable[ParameterFileUse]:
+    """The parameter files that a process reads as it starts, if it has a node."""
+    if started.kind == StartedKind.COMPONENT or is_without_node(started.package.text, started.executable.text):
+        return ()
+    return files_among(started.parameters)
 
 
 def _types_of(value: object) -> tuple[str, ...]:

@@ -60,6 +60,18 @@ _LAUNCH_FILES: Mapping[str, frozenset[str]] = {
 """What such packages have a launch file for, ``gazebo.launch.py``, and no program."""
 
 
+_WITHOUT_NODE: Mapping[str, frozenset[str]] = {
+    "micro_ros_agent": frozenset({"micro_ros_agent"}),
+    "xacro": frozenset({"xacro", "xacro.py"}),
+}
+"""Programs that initialise no ROS: what stands behind ``--ros-args``, parameter files included, nobody reads."""
+
+
+def is_without_node(package: str | None, name: str | None) -> bool:
+    """Whether a program of a well-known package initialises no ROS, so that it takes no parameter file."""
+    return package is not None and name in _WITHOUT_NODE.get(package, ())
+
+
 def launch_file_instead(package: str, name: str) -> str | None:
     """The launch file of a package of ROS that starts what somebody takes for one of its programs."""
     return f"{name}.launch.py" if name in _LAUNCH_FILES.get(package, ()) else None
@@ -79,4 +91,4 @@ def programs_instead(package: str, name: str, since_humble: bool = False) -> lis
     return [] if may_be else programs
 
 
-__all__ = ["programs_instead", "programs_of"]
+__all__ = ["is_without_node", "programs_instead", "programs_of"]
