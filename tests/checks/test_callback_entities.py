@@ -592,6 +592,15 @@ while self.name is None:
         assert codes(run(source(setup, self.TICK, ON_ONE_THREAD))) == ["CBG002"]
         assert codes(run(source(setup, self.TICK, ON_SEVERAL_THREADS))) == []
 
+    def test_a_client_that_is_never_asked_runs_no_callback(self, run: Run):
+        setup = (
+            "self.create_timer(5.0, self.tick)\n"
+            "self.client = self.create_client(Trigger, 'a', callback_group=ReentrantCallbackGroup())"
+        )
+        assert codes(run(source(setup, self.TICK, ON_ONE_THREAD))) == []
+        asks = "def tick(self):\n    self.client.call_async(Trigger.Request())\n"
+        assert codes(run(source(setup, asks, ON_ONE_THREAD))) == ["CBG002"]
+
     def test_a_coroutine_that_awaits_keeps_its_group(self, run: Run):
         setup = "group = ReentrantCallbackGroup()\nself.create_timer(5.0, self.tick, callback_group=group)"
         waiting = "async def tick(self):\n    await self.job.completion\n"

@@ -35,12 +35,23 @@ def is_left_over(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
         return False
     if is_never_used(workspace, endpoint.place):
         return True
-    code, file, package = workspace.code, endpoint.place.file, endpoint.node.package
-    attribute = _kept_as(workspace, endpoint.place)
-    if attribute is None or package is None:
+    package = endpoint.node.package
+    return package is not None and _is_kept_unused(workspace, endpoint.place, workspace.code.files_of(package))
+
+
+def is_kept_unused(workspace: WorkspaceIndex, place: Place) -> bool:
+    """Whether what the call at a place creates is kept in an attribute of ``self`` that nothing which runs uses, in any
+    file of the workspace."""
+    attribute = _kept_as(workspace, place)
+    return attribute is not None and _is_kept_unused(workspace, place, workspace.code.files_that_mention(attribute[0]))
+
+
+def _is_kept_unused(workspace: WorkspaceIndex, place: Place, files: Collection[str]) -> bool:
+    code, attribute = workspace.code, _kept_as(workspace, place)
+    if attribute is None:
         return False
     name, methods = attribute
-    others = [other for other in code.files_of(package) if other != file]
+    others = [other for other in files if other != place.file]
     if any(code.mentions(other, method) for other in others for method in methods):
         return False
     return not any(code.mentions(other, name) and not _sets_itself(workspace, other, name) for other in others)

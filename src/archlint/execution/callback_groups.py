@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.left_over import is_kept_unused
 from archlint.analysis.reach import judged_calls
 from archlint.analysis.source_code import source_code
 from archlint.execution.callback_roles import runs_in_executor
@@ -17,7 +18,7 @@ from archlint.model import (
 )
 
 if TYPE_CHECKING:
-    from archlint.model import Blueprint, Group, Program
+    from archlint.model import Blueprint, Creation, Group, Program
     from archlint.systems.model import System
 WITH_WORK = frozenset({*SERVED, EntityKind.CLIENT, EntityKind.ACTION_CLIENT, EntityKind.GUARD_CONDITION})
 """Kinds of entities that an executor has work from."""
@@ -82,10 +83,17 @@ def groups_in_use(node: Blueprint) -> Iterator[Group]:
 
 
 def groups_made(system: System, node: Blueprint) -> list[tuple[Place, str]]:
-    """Where each group of a node is made, the node's own file first, and its kind in words."""
+    """Where each group of a node is made, the node's own file first, and its kind in words.  Groups in which nothing is
+    but clients that no code asks anything are left out: no callback of theirs ever runs."""
+    at_work = {creation.group for creation in node.creations if not _is_idle_client(system, creation)}
     kinds = {
         group.place: group.kind.replace("_", " ")
         for group in groups_in_use(node)
-        if group.place is not None and not system.roles.is_test(group.place.file)
+        if group in at_work and group.place is not None and not system.roles.is_test(group.place.file)
     }
     return sorted(kinds.items(), key=lambda row: (row[0].file != node.place.file, row[0]))
+
+
+def _is_idle_client(system: System, creation: Creation) -> bool:
+    is_client = creation.kind in (EntityKind.CLIENT, EntityKind.ACTION_CLIENT)
+    return is_client and system.workspace is not None and is_kept_unused(system.workspace, creation.place)
