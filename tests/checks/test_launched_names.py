@@ -112,6 +112,19 @@ def test_a_name_that_launch_files_replace_is_judged_as_they_give_it(findings):
     assert (one.place.file, one.place.line) == ("robot/talker.py", 7)
 
 
+CONTAINER = """
+<node_container pkg="rclcpp_components" exec="component_container" name="{}" namespace="">
+  <composable_node pkg="elsewhere" plugin="elsewhere::Hearer" name="{}"/>
+</node_container>
+"""
+
+
+def test_a_container_takes_an_empty_name_of_a_component_for_none(findings):
+    assert findings("NME002", CONTAINER.format("box", "")) == []
+    (one,) = findings("NME002", CONTAINER.format("box", "2nd"))
+    assert "'2nd'" in one.message
+
+
 def test_a_name_that_waits_for_an_argument_is_not_bad(findings):
     """Without a value for ``robot`` nothing works, and nobody starts it so."""
     text = '<arg name="robot" default="{}"/><node pkg="robot" exec="talker"><remap from="{}" to="pose"/></node>'

@@ -233,6 +233,8 @@ def _component(run: LaunchRun, entity: LaunchObject, container: Started | Text |
     kept, run.place_now = run.place_now, entity.place or run.place_now
     with run.under(own, verdict, run.place_now):
         started = _started(run, entity, StartedKind.COMPONENT)
+        if started.name is not None and started.name.text == "" and started.name.resolution == "exact":
+            started.name = None  # a container takes an empty name for none
         match container:
             case Started():
                 started.container, started.domain = container.name, container.domain
