@@ -315,13 +315,25 @@ SAYS_SO = """
     [
         ("", "", Severity.WARNING),
         ("", "# wait for the arm to come up", Severity.INFO),
+        ("", "# make sure that the arm is up", Severity.INFO),
+        ("", "# ensure a smooth start", Severity.WARNING),
         ("", "# 等待服务启动", Severity.INFO),
         ("'Make a mover, which waits for the arm.'", "", Severity.INFO),
         ("'Make a mover.'", "# the arm", Severity.WARNING),
         ("", "# rospy.wait_for_service('arm')", Severity.WARNING),
         ("", "# self.wait('arm')", Severity.WARNING),
     ],
-    ids=["nothing", "a comment", "in Chinese", "the docstring", "other words", "code of old", "a call of old"],
+    ids=[
+        "nothing",
+        "a comment",
+        "what has to be there",
+        "something else",
+        "in Chinese",
+        "the docstring",
+        "other words",
+        "code of old",
+        "a call of old",
+    ],
 )
 def test_a_start_of_which_a_comment_says_that_it_waits(judge: Judge, doc: str, above: str, severity: Severity):
     [found] = judge("TMO001", SAYS_SO.format(doc=doc, above=above))

@@ -59,10 +59,11 @@ def is_documented_start(system: System, call: ApiCall) -> bool:
 
 _TELLS = re.compile(
     r"\b(?:waits?|waiting|wartet?|warten|attend(?:re)?|espera[rn]?|aspetta(?:re)?|blocks until)\b(?![(.])"
+    r"|\b(?:ensures?|ensuring|make sure|makes sure)\b[^.]*\b(?:is|are) (?:up|there|ready|running|available)\b"
     r"|等待|待つ|待機|대기|기다",
     re.IGNORECASE,
 )
-"""Words for waiting, and no call of a function whose name has one."""
+"""Words for waiting, or for what has to be there first, and no call of a function whose name has one."""
 
 
 def is_start_in_order(program: Program, call: ApiCall) -> bool:
