@@ -104,3 +104,23 @@ def test_a_file_that_nothing_names_or_installs(findings: Findings):
 )
 def test_the_plugin_of_a_description(findings: Findings, hardware: str, told: list[tuple[str, int]]):
     assert _told(findings, **{"config/robot.xacro": DESCRIPTION.format(hardware)}) == told
+
+
+MACRO = '<xacro:macro name="simulated" params="ns"><plugin filename="libgazebo_ros2_control.so"/></xacro:macro>'
+
+
+@pytest.mark.parametrize(
+    ("call", "told"),
+    [
+        ("", []),
+        ("<xacro:simulated_wheels/>", []),
+        ('<!-- <xacro:simulated ns=""/> -->', []),
+        ('<xacro:simulated ns=""/>', [("gazebo_ros2_control", 4)]),
+        ('<xacro:call macro="${name}" ns=""/>', [("gazebo_ros2_control", 4)]),
+    ],
+)
+def test_the_plugin_of_a_macro(findings: Findings, call: str, told: list[tuple[str, int]]):
+    """What a macro holds is in the description where some file calls it."""
+    other = f'<robot name="other" xmlns:xacro="http://www.ros.org/wiki/xacro">{call}</robot>'
+    files = {"config/robot.xacro": DESCRIPTION.format(MACRO), "config/other.xacro": other}
+    assert _told(findings, **files) == told

@@ -815,6 +815,31 @@ def test_a_package_that_a_launch_file_names_and_that_is_nowhere(lint: Lint):
     assert (found.fix, found.place.line) == (None, 8)
 
 
+@pytest.mark.parametrize(
+    ("document", "told"),
+    [
+        ("- secret_driver: in a repository of its own\n", 0),
+        ("    ros2 run secret_driver it\n", 1),
+        ("- secret_driver: in a repository of its own\n\n    ros2 launch talk talk.launch.py\n", 1),
+        ("- secret_drivers\n", 1),
+    ],
+)
+def test_a_launch_file_for_a_module_of_which_a_document_speaks(lint: Lint, document: str, told: int):
+    """Nothing starts it here: who has that module does."""
+    assert len(lint(launching(started("secret_driver")) | {"README.md": document})) == told
+
+
+@pytest.mark.parametrize(
+    ("declared", "told"), [("secret_bringup", 0), ("secret_msgs", 1), ("message_generation", 1), ("rclpy", 1)]
+)
+def test_a_package_that_an_unknown_one_may_bring(lint: Lint, declared: str, told: int):
+    files = launching(started("secret_driver"))
+    files["talk/package.xml"] = manifest("talk", *depends("rclpy", "launch_ros", declared))
+    found = lint(files)
+    assert len(found) == told
+    assert [("where 'secret_msgs' does" in (row.help or "")) for row in found] == [declared == "secret_msgs"] * told
+
+
 FOLDER = "get_package_share_directory('secret_models')"
 
 

@@ -14,6 +14,7 @@ from archlint.workspace.submodules import paths_of_submodules
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import Package
 
 _LISTS = (".repos", ".rosinstall")
 """Files with the repositories that ``vcs import`` and ``wstool`` bring into a workspace."""
@@ -36,13 +37,17 @@ def _depends_on_absent(workspace: WorkspaceIndex) -> bool:
 
 @once
 def _absent_dependencies(workspace: WorkspaceIndex) -> tuple[str, ...]:
+    every = (package for package in workspace.manifests.values() if not package.ros1)
+    return tuple(name for package in every for name in absent_dependencies_of(workspace, package))
+
+
+def absent_dependencies_of(workspace: WorkspaceIndex, package: Package) -> tuple[str, ...]:
+    """What a package declares that is neither ROS's nor the system's, nor here."""
     known = (packages.table().names, workspace.packages.keys(), rosdep.keys())
     return tuple(
         dependency.name
-        for package in workspace.manifests.values()
         for dependency in package.dependencies
-        if not package.ros1 and condition_holds(dependency.condition)
-        if not any(dependency.name in names for names in known)
+        if condition_holds(dependency.condition) and not any(dependency.name in names for names in known)
     )
 
 
@@ -216,6 +221,7 @@ def _name(path: str) -> str:
 
 
 __all__ = [
+    "absent_dependencies_of",
     "has_parts_elsewhere",
     "is_fetched",
     "list_of_repositories",

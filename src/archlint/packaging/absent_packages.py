@@ -244,6 +244,16 @@ def _asking_texts(workspace: WorkspaceIndex) -> tuple[str, ...]:
     return tuple(texts)
 
 
+def is_in_a_document(workspace: WorkspaceIndex, name: str) -> bool:
+    """Whether a document has a word for a package besides the commands that it tells to type."""
+    word = rf"(?<![\w-]){re.escape(name)}(?![\w-])"
+    files = (file for file in workspace.tree.files_below(workspace.tree.top) if file.endswith((".md", ".rst")))
+    return any(not _TYPED.search(line) for file in files for _, line in workspace.tree.lines_with(file, word))
+
+
+_TYPED = re.compile(r"\b(?:ros2|colcon|cd|source)\b")
+
+
 def is_a_key_of_some_file(workspace: WorkspaceIndex, name: str) -> bool:
     """Whether a YAML file of the workspace has a name for a key: it may be one with rules of the team for rosdep."""
     rule = re.compile(rf"^['\"]?{re.escape(name)}['\"]?[ \t]*:", re.MULTILINE)
@@ -291,6 +301,7 @@ __all__ = [
     "has_a_rule_for_rosdep",
     "is_a_key_of_some_file",
     "is_from_nowhere",
+    "is_in_a_document",
     "is_nowhere",
     "is_placeholder",
     "is_told_as_another",

@@ -91,11 +91,30 @@ def _of_descriptions(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
         said = blank_xml_comments(text)
         while (without := _UNDER_CONDITION.sub(lambda block: blank(block[0]), said)) != said:
             said = without
+        said = _MACRO.sub(lambda macro: macro[0] if _is_called(workspace, macro[2]) else blank(macro[0]), said)
         for plugin in _PLUGIN.finditer(said):
             named = plugin[1] or _LIBRARIES.get(plugin[2])
             if named is not None and is_named(workspace, file):
                 line = said.count("\n", 0, plugin.start()) + 1
                 yield Place(file, line, 1, line, 1), named
+
+
+_MACRO = re.compile(r"<xacro:macro\b[^>]*?\bname=([\"'])(?:xacro:)?([\w.-]+)\1.*?</xacro:macro>", re.DOTALL)
+_CALL = re.compile(r"<xacro:([\w.-]+)")
+_CALL_BY_NAME = "call"
+"""``<xacro:call macro="${name}"/>`` may mean any macro."""
+
+
+def _is_called(workspace: WorkspaceIndex, macro: str) -> bool:
+    """Whether some description of the workspace calls a macro: what is in it is not there otherwise."""
+    return not {macro, _CALL_BY_NAME}.isdisjoint(_called(workspace))
+
+
+@once
+def _called(workspace: WorkspaceIndex) -> frozenset[str]:
+    files = (file for file in workspace.tree.files_below(workspace.tree.top) if file.endswith(_DESCRIPTIONS))
+    texts = (blank_xml_comments(workspace.tree.text(file) or "") for file in files)
+    return frozenset(name for text in texts for name in _CALL.findall(text))
 
 
 @once
