@@ -42,6 +42,21 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     return go
 
 
+@pytest.fixture
+def plain(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Checks files of no package."""
+    monkeypatch.chdir(tmp_path)
+
+    def go(**files: str) -> Report:
+        for name, text in files.items():
+            path = tmp_path / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1))
+
+    return go
+
+
 def said(report: Report) -> tuple[list[str], list[str]]:
     """The codes of the findings, and what is said of ROS 1."""
     return [finding.code for finding in report.findings], [n for n in report.notices if "ROS 1" in n]
@@ -174,3 +189,27 @@ def test_a_link_into_a_submodule_that_is_not_checked_out(run, tmp_path):
     (tmp_path / "src").mkdir()
     (tmp_path / "src" / "CMakeLists.txt").symlink_to("/opt/ros/no-such/share/catkin/cmake/toplevel.cmake")
     assert told() == []  # catkin makes it in every workspace
+
+
+MADE_ANEW = {"rclpy/__init__.py": "from .node import Node\n", "rclpy/node.py": "class Node:\n    def say(self): ...\n"}
+OF_THIS = "import rclpy\nfrom std_msgs.msg import String\nnode = rclpy.create_node('talker')\nprint(String(text=''))\n"
+
+
+def about_rclpy(report: Report) -> tuple[list[str], list[str]]:
+    return [finding.code for finding in report.findings], [n for n in report.notices if "rclpy" in n]
+
+
+def test_nothing_is_said_of_programs_that_get_an_rclpy_of_the_workspace_itself(plain):
+    files = {**MADE_ANEW, "examples/talker.py": OF_THIS, "go.launch.xml": "<launch/>"}
+    notice = "3 Python files are for the rclpy of rclpy/__init__.py, not that of ROS 2, and skipped"
+    assert about_rclpy(plain(**files)) == ([], [notice])
+
+
+def test_an_rclpy_that_only_tests_get_hides_nothing(plain):
+    files = {f"tests/stubs/{name}": text for name, text in MADE_ANEW.items()}
+    assert about_rclpy(plain(**files, **{"examples/talker.py": OF_THIS})) == (["MSG001"], [])
+
+
+def test_a_package_that_depends_on_rclpy_gets_the_one_of_ros_2(run):
+    code, notices = about_rclpy(run(AMENT, **MADE_ANEW, **{"examples/talker.py": OF_THIS}))
+    assert ("MSG001" in code, notices) == (True, [])

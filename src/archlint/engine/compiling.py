@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.engine.inputs import catkin_files, compiled_files
+from archlint.engine.inputs import compiled_files
+from archlint.engine.passed_over import skipped_files
 from archlint.syntax.files import FactsOfFiles
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ def compiled(request: Request, workspace: Workspace, store: Store | NullStore) -
         facts = FactsOfFiles(store, _screen_words, request.jobs, request.monitor, pool=request.pool)
     else:
         facts = FactsOfFiles(linked.cache, _screen_words, request.jobs, request.monitor, linked.read, request.pool)
-    facts.prepare(compiled_files(workspace), catkin_files(workspace))
+    facts.prepare(compiled_files(workspace), skipped_files(workspace))
     return facts
 
 

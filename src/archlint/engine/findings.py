@@ -27,8 +27,9 @@ from archlint.engine.known import Sieve
 from archlint.engine.languages import for_their_languages
 from archlint.engine.launched_code import launched_files
 from archlint.engine.loading import as_asked_for, systems_of
-from archlint.engine.looked_at import followed_in_part, for_ros1, started_elsewhere, without_start
+from archlint.engine.looked_at import followed_in_part, started_elsewhere, without_start
 from archlint.engine.merging import folded, merged
+from archlint.engine.passed_over import passed_over
 from archlint.engine.repeats import once_for_copied_lines
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.second_lines import without_second_lines
@@ -52,7 +53,6 @@ if TYPE_CHECKING:
     from archlint.config.settings import Settings
     from archlint.engine.memory import Memory
     from archlint.finding import Finding
-    from archlint.launch.files import LaunchFiles
     from archlint.syntax.facts import Suppression
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
@@ -184,7 +184,7 @@ def _judged(
         vendored=len(folded(vendored)),
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
-    notices = [*_passed_over(inputs, facts, launch_files), *_of_systems(request, workspace, systems)]
+    notices = [*passed_over(workspace, request.paths, facts, launch_files), *_of_systems(request, workspace, systems)]
     notices.extend(followed_in_part(index.cut_short()))
     said = [*refused, *notices, *_idle(request.settings, systems)]
     judged = Judged(findings, summary, said, remarks=[*comparison_words(systems[0].compared)])
@@ -264,21 +264,6 @@ def _imported(workspace: Workspace, known: Sequence[SourceFile], facts: FactsOfF
     others = (file for file in python_files(workspace) if file.path not in own)
     yield from (file for file in others if facts.was_read(file) and not facts.is_ros1(file))
     yield from broken_packages(python_files(workspace), facts)
-
-
-def _passed_over(inputs: Inputs, facts: FactsOfFiles, launch_files: LaunchFiles) -> Iterator[str]:
-    """What is reported of files for ROS 1; raises :class:`NothingToDo` where there are no others."""
-    workspace = inputs.workspace
-    python = [file.relative for file in python_files(workspace) if not file.context and facts.is_ros1(file)]
-    launch = launch_files.of_ros1()
-    given = {file.relative for file in workspace.files if is_input(file)}
-    if given and given <= {*python, *launch}:
-        example = min((*python, *launch))
-        raise NothingToDo(
-            f"nothing to check in {', '.join(inputs.request.paths)}: all of it is for ROS 1, such as {example}, "
-            "and archlint reads ROS 2"
-        )
-    yield from for_ros1(python, launch)
 
 
 def _rules(request: Request, systems: Sequence[System], memory: Memory | None = None) -> Iterator[Finding]:

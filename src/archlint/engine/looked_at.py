@@ -80,6 +80,13 @@ def for_ros1(python: Sequence[str], launch: Sequence[str]) -> Iterator[str]:
         yield f"{what} are for ROS 1 and skipped"
 
 
+def for_own_rclpy(python: Sequence[str], own: str) -> Iterator[str]:
+    """One sentence on the Python files of a workspace that has an rclpy of its own."""
+    what = f"{python[0]} is" if len(python) == 1 else f"{len(python)} Python files are"
+    if python:
+        yield f"{what} for the rclpy of {own}, not that of ROS 2, and skipped"
+
+
 def without_start(systems: Iterable[System], context: Set[str]) -> Iterator[str]:
     """A sentence for each launch file that starts nothing since it could not be followed."""
     for launched in (system.launched for system in systems):

@@ -12,8 +12,9 @@ from archlint import __version__
 from archlint.config.filters import Filters
 from archlint.config.seen_from import seen_from
 from archlint.engine.findings import judged_in_parts
-from archlint.engine.inputs import Inputs, catkin_files, compiled_files, is_input, is_of_package, refuse_nothing
+from archlint.engine.inputs import Inputs, compiled_files, is_input, is_of_package, refuse_nothing
 from archlint.engine.memory import Memory
+from archlint.engine.passed_over import skipped_files
 from archlint.engine.request import NothingToDo, Request
 from archlint.live.buffers import Shifts
 from archlint.live.facts import LiveFacts
@@ -221,7 +222,7 @@ class LiveWorkspace:
         findings: Sequence[Finding] = ()
         try:
             _refuse_no_input(workspace)
-            facts.prepare(compiled_files(workspace), catkin_files(workspace))
+            facts.prepare(compiled_files(workspace), skipped_files(workspace))
             refuse_nothing(request, workspace, facts)
             judged = judged_in_parts(inputs, facts, loaded=systems)
         except NothingToDo as error:

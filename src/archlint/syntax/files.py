@@ -81,7 +81,7 @@ class FactsOfFiles:
 
     def prepare(self, files: Sequence[SourceFile], ros1: Collection[SourceFile] = ()) -> None:
         """Make sure that each file is known: cached, screened out, or compiled now.  The files ``ros1`` are for ROS 1,
-        whatever they import."""
+        or for another rclpy than that of ROS 2, whatever they import."""
         old = {file.path for file in ros1}
         self._payloads.update((path, _ROS1) for path in old)
         self._prepare(file for file in files if file.path not in old)
@@ -175,7 +175,7 @@ class FactsOfFiles:
         return None
 
     def is_ros1(self, file: SourceFile) -> bool:
-        """Whether a file is a program or module for ROS 1."""
+        """Whether a file is a program or module for ROS 1, or passed over as one."""
         return self._payloads.get(file.path, b"").startswith(_ROS1)
 
     def was_read(self, file: SourceFile) -> bool:
