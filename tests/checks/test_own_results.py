@@ -43,6 +43,9 @@ class Driver(Node):
     def place(self):
         return 1, 2, 3
 
+    def on_pose(self, pose):
+        self.callback = pose
+
     def drive(self):
         {line}
 
@@ -50,7 +53,7 @@ class Driver(Node):
 def main():
     rclpy.init()
     node = Driver()
-    rclpy.spin(node)
+    rclpy.spin_once(node)
     {end}
 
 
@@ -111,9 +114,12 @@ def test_a_line_that_calls_nothing(judge: Judge, source: str, name: str):
     assert finding.severity is Severity.WARNING
 
 
-@pytest.mark.parametrize("line", ["self.place", "self.callback", "self.timer.cancel()", "self.timer.clock", "Driver"])
+@pytest.mark.parametrize(
+    "line", ["self.place", "self.callback", "self.timer.cancel()", "self.timer.clock", "Driver"] + ["self.on_pose"]
+)
 def test_a_line_that_may_do_something(judge: Judge, line: str):
-    """A property runs code; a class or a value is looked at by whoever tries things out."""
+    """A property runs code; a class or a value is looked at by whoever tries things out, and what is called with a
+    message is named so that it is used."""
     judge("API001", _node(line))
 
 

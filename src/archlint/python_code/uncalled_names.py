@@ -55,12 +55,21 @@ def _uncalled(code: facts.Facts) -> list[tuple[str, facts.Span]]:
 
 
 def _in_methods(code: facts.Facts) -> Iterator[tuple[facts.Expression, frozenset[str]]]:
-    """The lines of methods that are one expression, with the plain methods of their class."""
+    """The lines of methods that are one expression, with the plain methods of their class that can be called without an
+    argument: the bare name of another is there so that no linter calls what is given away unused."""
     for cls in classes_of(code):
-        plain = frozenset(method.name for method in methods_of(cls) if not method.decorators)
+        plain = frozenset(
+            method.name for method in methods_of(cls) if not method.decorators and not _needs_arguments(method)
+        )
         for method in methods_of(cls):
             for line in everything_in(method.body, facts.Expression):
                 yield line, plain
+
+
+def _needs_arguments(method: facts.Function) -> bool:
+    """Whether a method takes more than the object, and has no default for it."""
+    plain = [param for param in method.params if param.kind not in ("star", "double_star")]
+    return any(param.default is None for param in plain[1:])
 
 
 __all__ = ["uncalled_names"]
