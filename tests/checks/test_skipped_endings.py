@@ -118,6 +118,22 @@ def test_what_is_said_of_it(judge: Judge):
     assert [row.place.line for row in finding.related] == [48, 29]
 
 
+@pytest.mark.parametrize(
+    ("distro", "more"),
+    [
+        ("foxy", ""),
+        (
+            "humble",
+            ", and start with rclpy.init(signal_handler_options=SignalHandlerOptions.NO): rclpy runs on until then",
+        ),
+    ],
+)
+def test_what_mends_it_where_the_end_publishes(judge: Judge, distro: str, more: str):
+    (judge.folder / "README.md").write_text(f"For ROS 2 {distro.title()}.\n", encoding="utf-8")
+    (finding,) = judge("EXE017", _once(SPIN, f"node.stop(){HERE}"))
+    assert finding.help == "put it in the finally of a try around the spin" + more
+
+
 def test_a_method_of_a_node_that_replaces_one_of_rclpy(judge: Judge):
     further = "def destroy_node(self):\n            self.stop()\n            super().destroy_node()"
     source = _program(SPIN, f"node.destroy_node(){HERE}", further=further)

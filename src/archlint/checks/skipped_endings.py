@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.pinned import is_from_before_galactic
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -21,14 +22,15 @@ def skipped_ending(system: System, options: Options) -> Iterator[Finding]:
     """Lines behind a spin that publish or write a file, where nothing catches what Ctrl-C raises."""
     if system.workspace is not None:
         for row in skipped_endings(system.workspace):
-            yield from unless_uncalled(system, _finding(row))
+            runs_on = is_from_before_galactic(system.workspace)  # Ctrl-C shuts no context down there
+            yield from unless_uncalled(system, _finding(row, runs_on))
 
 
-def _finding(row: SkippedEnding) -> Finding:
+def _finding(row: SkippedEnding, runs_on: bool) -> Finding:
     spin = "loop" if row.in_loop else "spin"
     what = f"{row.name}(), which {row.effect}," if row.name else f"this line, which {row.effect},"
     cure = f"put it in the finally of a try around the {spin}"
-    if row.effect == "publishes":
+    if row.effect == "publishes" and not runs_on:
         cure += ", and start with rclpy.init(signal_handler_options=SignalHandlerOptions.NO): rclpy runs on until then"
     done = [] if row.done_at is None else [Related(row.done_at, f"{row.name}() {row.effect} here")]
     return finding(
