@@ -620,7 +620,7 @@ def test_an_except_for_a_timeout(judge: Judge, imported: str, meant: str):
 
 @pytest.mark.parametrize("call", ["destroy_node()", "get_logger().info('done')"])
 def test_a_node_that_is_ended_by_another_name_than_it_is_spun_by(judge: Judge, call: str):
-    spins = f"node = Talker()\n    rclpy.spin(node)\n    talker.{call}  # here"
+    spins = f"node = Talker()\n    try:\n        rclpy.spin(node)\n    finally:\n        talker.{call}  # here"
     (told,) = judge("API005", _node("pass").replace("rclpy.spin(Talker())", spins))
     assert told.help == "write node"
 

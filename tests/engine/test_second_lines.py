@@ -222,3 +222,55 @@ def test_functions_that_are_called_from_such_lines_alone(tmp_path: Path) -> None
 def test_functions_that_other_files_name(tmp_path: Path) -> None:
     (tmp_path / "other.py").write_text("import rclpy\nfrom node import rest\n\nrclpy.init()\nrest(1.0)\n")
     told(tmp_path, CALLED.format(rest="  # here", before=""))
+
+
+AT_THE_END = """
+    import rclpy
+    from rclpy.node import Node
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            {last}
+
+        def drive(self):
+            while True:
+                rclpy.spin_once(self)
+
+
+    def main():
+        rclpy.init()
+        robot = Robot()
+        {lines}
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("rclpy.spin(robot)", "robot.destroy()"),
+        ("rclpy.spin(robot)", "if rclpy.ok():", "    robot.destroy()"),
+        ("try:", "    rclpy.spin(robot)", "finally:", "    robot.destroy()  # here"),
+        ("try:", "    rclpy.spin(robot)", "except KeyboardInterrupt:", "    pass", "robot.destroy()  # here"),
+        ("rclpy.spin_once(robot)", "robot.destroy()  # here"),
+    ],
+)
+def test_lines_behind_a_spin_that_only_an_exception_ends(tmp_path: Path, lines: tuple[str, ...]) -> None:
+    source = AT_THE_END.replace("{lines}", "\n        ".join(lines))
+    told(tmp_path, source.replace("{last}", "self.create_timer(1.0, self.drive)"), ("API002",))
+
+
+def test_lines_behind_a_spin_that_a_line_of_the_program_ends(tmp_path: Path) -> None:
+    ended = AT_THE_END.replace("rclpy.spin_once(self)", "rclpy.shutdown()").replace("{last}", "pass")
+    told(tmp_path, ended.replace("{lines}", "rclpy.spin(robot)\n        robot.destroy()  # here"), ("API002",))
+
+
+def test_lines_behind_a_constructor_that_never_returns(tmp_path: Path) -> None:
+    source = AT_THE_END.replace("{lines}", "robot.destroy(){mark}")
+    told(tmp_path, source.replace("{last}", "self.drive()").replace("{mark}", ""), ("API002",))
+    told(tmp_path, source.replace("{last}", "pass").replace("{mark}", "  # here"), ("API002",))

@@ -1,4 +1,5 @@
-"""Findings about lines to which no run comes: another finding says that a line before them fails."""
+"""Findings about lines to which no run comes: another finding says that a line before them fails, or they stand behind
+a spin that Ctrl-C ends with an exception."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.behind_failures import BehindFailures
 from archlint.checks.undefined_names import PAST_HANDLER
+from archlint.python_code.behind_spins import is_behind_a_spin
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
@@ -17,6 +19,8 @@ _AT_THE_END = frozenset({"EXE015", "EXE016", "EXE017"})
 _OF_LINES = frozenset({"API001", "API002", "API005", "MSG001", "MSG003"})
 """Rules that tell which line raises an exception, or sends something else.  Two such lines of one function are two
 mistakes, whichever of them is reached; but for one that fails only where an ``except`` has run that no run comes to."""
+_BEHIND_SPINS = _OF_LINES | {"MSG002", "MSG004"}
+"""Rules that tell of nothing behind a spin that returns by an exception alone."""
 
 
 def without_second_lines(index: WorkspaceIndex, findings: Iterable[Finding]) -> list[Finding]:
@@ -24,7 +28,8 @@ def without_second_lines(index: WorkspaceIndex, findings: Iterable[Finding]) -> 
     fails: how a program ends behind that line, and what is wrong in a function that is called there alone."""
     every = list(findings)
     behind = BehindFailures(index, [finding.place for finding in every if finding.fails])
-    return [finding for finding in every if not _is_second(finding, behind)]
+    judged = [finding for finding in every if not _is_second(finding, behind)]
+    return [each for each in judged if each.code not in _BEHIND_SPINS or not is_behind_a_spin(index, each.place)]
 
 
 def _is_second(finding: Finding, behind: BehindFailures) -> bool:

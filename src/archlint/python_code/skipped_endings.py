@@ -150,7 +150,7 @@ def _publishers(code: facts.Facts) -> frozenset[str]:
 @kept_for_each_file
 def _endings(code: facts.Facts) -> list[_Ending]:
     """What stands behind each spin of a file, unless the file has another way to end."""
-    if not OF_SIGNALS.isdisjoint(code.names) or not _AT_EXIT.isdisjoint(code.names) or _shuts_down_elsewhere(code):
+    if not OF_SIGNALS.isdisjoint(code.names) or not _AT_EXIT.isdisjoint(code.names) or shuts_down_elsewhere(code):
         return []
     publishers, threads = _publishers(code), targets_of_threads(code)
     blocks = [code.body, *(f.body for f in everything_in(code.body, facts.Function) if f.name not in threads)]
@@ -163,7 +163,7 @@ def _in_block(block: Sequence[facts.Stmt], publishers: frozenset[str]) -> Iterat
     for at, statement in enumerate(block):
         if isinstance(statement, facts.With):
             yield from _in_block(statement.body, publishers)
-        spin = _spin(statement)
+        spin = spin_in(statement)
         if spin is not None:
             calls = tuple((call.span, _effect(call, publishers)) for call in _behind(block[at + 1 :]))
             yield _Ending(spin.span, isinstance(statement, facts.While), calls)
@@ -181,7 +181,7 @@ def _behind(block: Sequence[facts.Stmt]) -> Iterator[facts.Call]:
             return
 
 
-def _spin(statement: facts.Stmt) -> facts.Call | None:
+def spin_in(statement: facts.Stmt) -> facts.Call | None:
     """The call that spins until the end, or the condition of a loop that does; no other way leads out of that."""
     match statement:
         case facts.While(test=facts.Call(func=test) as asked, body=body, orelse=[]) if test.dotted == "rclpy.ok":
@@ -200,10 +200,10 @@ def _breaks(part: facts.Base) -> bool:
 
 @kept_for_each_file
 def _ends_itself(code: facts.Facts) -> bool:
-    return _shuts_down_elsewhere(code)
+    return shuts_down_elsewhere(code)
 
 
-def _shuts_down_elsewhere(code: facts.Facts) -> bool:
+def shuts_down_elsewhere(code: facts.Facts) -> bool:
     """Whether a function that does not spin itself shuts rclpy down: then the spin returns."""
     for function in everything_in(code.body, facts.Function):
         calls = [*everything_in(function.body, facts.Call)]
@@ -222,4 +222,4 @@ def _is_shutdown(call: facts.Call) -> bool:
     return False
 
 
-__all__ = ["SkippedEnding", "skipped_endings"]
+__all__ = ["SkippedEnding", "shuts_down_elsewhere", "skipped_endings", "spin_in"]
