@@ -461,3 +461,15 @@ def test_a_function_beside_one_that_asks_for_variables(judge: Judge):
     """And a method that is only called like ``exec()``, as that of Qt is."""
     beside = "\n\ndef show(app):\n    return app.exec() if 'app' in locals() else None\n"
     judge("API005", _node(*CHOICE, WARNS, "print(side)  # here", "print(heigth)  # here") + beside)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("if (value := message.data) is not None:", "    print(value)", "else:", "    value = ''"),
+        ("word = (value := message.data) + value", "value = word"),
+        ("print(value)  # here", "if (value := message.data):", "    pass"),
+    ],
+)
+def test_a_variable_that_an_expression_assigns(judge: Judge, lines: tuple[str, ...]):
+    judge("API005", _node(*lines))

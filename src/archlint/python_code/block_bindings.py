@@ -42,8 +42,13 @@ def _bound_in(fact: facts.Base) -> Iterator[facts.Base]:
     for part in parts_of(fact):
         if isinstance(part, facts.Annotated) and part.value is None:
             continue
-        for target in part.assigned:
+        for target in _assigned(part):
             yield from targets_in(target)
+
+
+def _assigned(part: facts.Base) -> list[facts.Expr]:
+    """The targets that a part of a statement sets, ``:=`` included."""
+    return [part.target] if isinstance(part, facts.Assigned) else part.assigned
 
 
 def read_at(block: Block) -> Iterator[tuple[facts.Base, bool]]:
@@ -55,7 +60,7 @@ def read_at(block: Block) -> Iterator[tuple[facts.Base, bool]]:
         Itself(target)
         for part in parts_of(block.fact)
         if not isinstance(part, facts.Augmented)
-        for each in part.assigned
+        for each in _assigned(part)
         for target in targets_in(each)
     }
     stack: list[tuple[facts.Base, bool, frozenset[str]]] = [(block.fact, True, frozenset())]
@@ -89,7 +94,7 @@ def read_at(block: Block) -> Iterator[tuple[facts.Base, bool]]:
 
 def is_plain(block: Block) -> bool:
     """Whether what a block binds is bound by its assignment alone, so that all that it reads is read before."""
-    return isinstance(block.statement, _SIMPLE)
+    return isinstance(block.statement, _SIMPLE) and not any(parts_of(block.statement, facts.Assigned))
 
 
 def after(blocks: Collection[Block]) -> set[Block]:
