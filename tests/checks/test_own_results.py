@@ -115,7 +115,7 @@ def test_a_line_that_calls_nothing(judge: Judge, source: str, name: str):
 
 
 @pytest.mark.parametrize(
-    "line", ["self.place", "self.callback", "self.timer.cancel()", "self.timer.clock", "Driver"] + ["self.on_pose"]
+    "line", ["self.place", "self.callback", "self.timer.cancel()", "self.timer.clock", "Driver", "self.on_pose"]
 )
 def test_a_line_that_may_do_something(judge: Judge, line: str):
     """A property runs code; a class or a value is looked at by whoever tries things out, and what is called with a
