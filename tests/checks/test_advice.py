@@ -121,6 +121,15 @@ def test_who_cancels_a_goal_in_a_callback_continues_in_another(judge: Judge):
     assert found.help == "cancel_goal_async().add_done_callback(…), return, and continue there"
 
 
+def test_who_waits_for_a_transform_has_sent_no_request(judge: Judge):
+    body = (
+        "transform = self.buffer.wait_for_transform_async('map', 'base', rclpy.time.Time())\n"
+        "            rclpy.spin_until_future_complete(self, transform)  # here"
+    )
+    [found] = judge("EXE001", program("self.create_timer(1.0, lambda: self.execute(None))", body))
+    assert found.help == "future.add_done_callback(…), return, and continue there"
+
+
 @pytest.mark.parametrize("made", [SERVICE, ACTION], ids=["service", "action"])
 def test_a_handler_must_have_heard_before_it_returns(judge: Judge, made: str):
     [found] = judge("EXE002", program(made, "self.heard.wait()  # here"))

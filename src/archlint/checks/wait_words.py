@@ -44,8 +44,16 @@ def when_done(callback: Callback, call: ApiCall, client: Creation | None) -> str
     goal; it holds no callback group, so that it may await."""
     if callback.role == Role.EXECUTE:
         return _AWAIT.format(to_await(call, client))
+    if client is None and _is_of_no_request(call):
+        return _ADD_CALLBACK.format("future")
     sends = to_await(call, client)
     return CONTINUE_WHEN_DONE if sends == _CALL else _ADD_CALLBACK.format(sends)
+
+
+def _is_of_no_request(call: ApiCall) -> bool:
+    """Whether a call is given a future of which nothing shows that it is a request's: tf2's buffer makes some, too."""
+    future = argument(call, "future")
+    return future is not None and not any(isinstance(option, Future) for option in future.alternatives)
 
 
 def to_await(call: ApiCall, client: Creation | None) -> str:

@@ -40,10 +40,6 @@ def changed_attributes(machine: Machine, cls: ClassValue) -> dict[str, Changes]:
     }
 
 
-def _when(rows: list[tuple[bool, Value]], *, later: bool) -> tuple[Value, ...]:
-    return tuple(dict.fromkeys(value for changes, value in rows if changes is later))
-
-
 def _methods_of(machine: Machine, cls: ClassValue) -> list[facts.Function]:
     """The methods of a class; those of C++ are mostly defined outside of it."""
     if cls.scope.module.file.kind != "cpp":
