@@ -99,10 +99,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     slow_functions = [
         sorted(rows.values(), key=longest_first)
         for rows in functions.values()
-        if not all(_is_left_alone(system, program, call, stay) for program, call, stay in rows.values())
-        if not are_brief(system, list(rows.values()), quiet=quiet)
-        if not all(_delays_nothing(code, row) for row in rows.values())
-        or (alone and not (lesson and all(_is_occasional(code, row) for row in rows.values())))
+        if _is_worth_a_line(system, [*rows.values()], lesson=lesson, quiet=quiet)
     ]
     worst: dict[tuple[str, ...], LongStay] = {}
     for [row, *_] in slow_functions:
@@ -112,6 +109,16 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         _slow(system, rows, _place_of(system, worst[_cause(rows[0][1].context)])) for rows in slow_functions
     )
     yield from one_for_each_place(added_waits(system, {id(call.context) for _, call, _ in long_stays(system)}))
+
+
+def _is_worth_a_line(system: System, rows: Sequence[LongStay], *, lesson: bool, quiet: bool) -> bool:
+    """Whether the stays of one function delay what counts; in a lesson, or with ``alone``, nearly any delay does."""
+    code = source_code(system)
+    if all(_is_left_alone(system, *row) for row in rows) or are_brief(system, rows, quiet=quiet):
+        return False
+    if not all(_delays_nothing(code, row) for row in rows):
+        return not quiet or lesson or not all(_only_late_intake(code, row) for row in rows)
+    return not quiet or (lesson and not all(_is_occasional(code, row) for row in rows))
 
 
 def _is_for_others(call: ApiCall, stay: Stay) -> bool:
@@ -185,11 +192,14 @@ def _delays_nothing(code: SourceCode, row: LongStay) -> bool:
     program, call, stay = row
     if stay.kind == "keyboard":
         return True
-    if made_here(call):
-        return False
-    if -_longest_first(code, row)[0] <= _A_WHILE and keeps_intake_alone(code, call, program):
-        return True
-    return who_waits(code, call, program) in (Waiting.NOBODY, Waiting.SELDOM, Waiting.UNKNOWN)
+    return not made_here(call) and who_waits(code, call, program) in (Waiting.NOBODY, Waiting.SELDOM, Waiting.UNKNOWN)
+
+
+def _only_late_intake(code: SourceCode, row: LongStay) -> bool:
+    """Whether all that a short wait delays is what somebody keeps until it is read."""
+    program, call, _ = row
+    short = -_longest_first(code, row)[0] <= _A_WHILE and not made_here(call)
+    return _delays_nothing(code, row) or (short and keeps_intake_alone(code, call, program))
 
 
 def _turns(call: ApiCall) -> bool:
