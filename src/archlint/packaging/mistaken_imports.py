@@ -10,7 +10,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.libraries.module_names import modules_with
+from archlint.libraries.module_names import is_module, modules_with
 from archlint.packaging.absent_packages import is_wanted_from_elsewhere
 from archlint.packaging.optional_packages import LOOK_UPS
 from archlint.packaging.renamed_packages import is_unknown, modules_imported
@@ -73,6 +73,7 @@ def near_module(workspace: WorkspaceIndex, file: SourceFile, module: str) -> str
 
 _NO_MODULES = frozenset({"ament_cmake", "ament_index", "ament_index_cpp", "ament_python"})
 """Packages and types of builds that no module of Python has the name of."""
+_OF_LAUNCH = ("launch", "launch_ros")
 _OF_INDEX = frozenset({"PackageNotFoundError", *LOOK_UPS})
 
 
@@ -88,9 +89,11 @@ def module_of_ros(workspace: WorkspaceIndex, file: SourceFile, module: str, name
         return "ament_index_python.packages"
     if file.kind != "launch_python":
         return None  # a Node of a module that is nowhere is none of launch_ros
+    if any(is_module(f"{package}.{name}") for package in _OF_LAUNCH for name in names):
+        return None  # a word such as ``actions``, which others have for theirs, too
     having = [modules_with(name, "launch") for name in names]
     common = [path for path in having[0] if all(path in others for others in having)]
-    return common[0] if common else None
+    return next((path for path in common if path.partition(".")[0] in _OF_LAUNCH), None)
 
 
 def _is_slip(name: str, other: str) -> bool:
