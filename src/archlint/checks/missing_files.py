@@ -105,7 +105,7 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             help=told.help,
             related=[Related(used_at, "it is used here") for used_at in read],
             identity=(reference.package or "", written or ""),
-            group=(told.status, reference.package or "", told.cause),
+            group=(told.status, reference.package or "", told.cause, *(("spare",) if spare else ())),
         )
 
 
@@ -299,17 +299,19 @@ def _cause(system: System, reference: FileReference, shown: str) -> str:
     return posixpath.dirname(path) if missing else path
 
 
-@folds("LCH004", across_systems=True)
+@folds("LCH004", across_systems=True, common=3)
 def _of_one_cause(several: Sequence[Finding]) -> Finding:
     """One finding for a file that is not there, however many launch files name it, and for all files of a folder that
     is not there or not installed."""
-    if any(not each.message.endswith(_SPARE) for each in several):
-        several = [replace(each, message=each.message.removesuffix(_SPARE)) for each in several]
+    spare = [len(each.group) > 3 for each in several]
+    if not all(spare):  # something needs it, then
+        rows = zip(several, spare, strict=True)
+        several = [replace(each, message=each.message[: -len(_SPARE)]) if cut else each for each, cut in rows]
     first, *others = several
     names = list(dict.fromkeys(below_package(diagnostic.identity[1]) for diagnostic in several))
     if len(names) == 1:  # as of those with one relative path
         return with_places(several, "it is named here, too")
-    status, package, folder = first.group
+    status, package, folder, *_ = first.group
     if status == "absent":
         return with_places(several, "it is named here, too")
     places = [Related(other.place, f"'{below_package(other.identity[1])}' is named here") for other in others]

@@ -46,7 +46,7 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
         lacks_global = {
             _function_around(system.workspace, local): told.group
             for local, told in unbound
-            if told.group[-1] == _GLOBAL
+            if told.group[2:3] == (_GLOBAL,)
         }
         of_ros_1 = {_function_around(system.workspace, read) for read in names if read.name in _OF_ROS_1} - {None}
         for read in names:
@@ -70,10 +70,12 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
                 statement = None if stops else statement
                 leader = _IMPORTS if imports and not stops else read.name
                 told = replace(told, group=(read.place.file, leaders.setdefault((read.place.file, statement), leader)))
-            if told.group[-1] == _ADDED and told.help.startswith(_DECLARE):  # one statement declares all of a function
-                function = _function_around(system.workspace, read)
-                leader = leaders.setdefault((read.place.file, (_ADDED, function)), read.name)
-                told = replace(told, group=lacks_global.get(function, (read.place.file, leader, _ADDED)))
+            function = code_of(system.workspace).function_at(read.place) if _is_added_to(read) else None
+            if told.group[-1] == _ADDED and function is not None:  # one statement declares all of a function
+                around = _function_around(system.workspace, read)
+                leader = leaders.setdefault((read.place.file, (_ADDED, around)), read.name)
+                own = (read.place.file, leader, _ADDED, function.name)
+                told = replace(told, group=lacks_global.get(around, own))
             yield from unless_uncalled(system, told)
         for local, told in unbound:
             if told.group[-1] == _EARLY:  # a statement fails at the first of its names, which tells the rest
@@ -118,13 +120,13 @@ def _too_early(workspace: WorkspaceIndex, read: UnboundLocal) -> Finding:
             _without_value(read),
             help=_declare([read.name], function.name),
             identity=(read.name, _EARLY, function.name),
-            group=(read.place.file, function.name, str(function.span[0]), _GLOBAL),
+            group=(read.place.file, f"{function.name}:{function.span[0]}", _GLOBAL, function.name),
         )
     return _without_value(read)
 
 
 def _declare(names: Sequence[str], function: str) -> str:
-    return f"{_DECLARE}{', '.join(names)}` at the beginning of {function}()"
+    return f"write `global {', '.join(names)}` at the beginning of {function}()"
 
 
 def _without_value(read: UnboundLocal) -> Finding:
@@ -212,7 +214,6 @@ _GLOBAL = "global"
 """The group of findings about variables of the file that one function assigns without declaring them ``global``."""
 _ADDED = "local"
 """The group of findings about a variable that ``+=`` makes one of the function."""
-_DECLARE = "write `global "
 PAST_HANDLER = "caught"
 """The group of findings about what one ``except``, or one branch, leaves without a value."""
 
@@ -238,17 +239,21 @@ def _without_self(read: Undefined) -> Finding:
     )
 
 
+def _is_added_to(read: Undefined) -> bool:
+    """Whether the file has a variable of the name: where ``+=`` makes it one of the function, that one is meant."""
+    return not read.of_self and read.name in read.known
+
+
 def _unbound_local(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     """A variable that ``+=`` makes a local one, so that one of the file or of the class is not meant: the function
     fails where it reads it first."""
-    is_global = not read.of_self and read.name in read.known
     function = code_of(workspace).function_at(read.place)
     return finding(
         "API005",
         first_use(workspace, read.place, read.name),
         f"nothing gives '{read.name}' a value in this function: this line fails with an UnboundLocalError"
         + meant(f"'self.{read.name}'" if read.of_self else ""),
-        help=_declare([read.name], function.name) if function is not None and is_global else _cure_of(read),
+        help=_declare([read.name], function.name) if function is not None and _is_added_to(read) else _cure_of(read),
         identity=(read.name, _ADDED),
         group=(read.place.file, read.name, _ADDED),
         fails=True,
@@ -322,15 +327,15 @@ def _is_one_a_class(known: str, name: str) -> bool:
     return known[:1].isupper() is not name[:1].isupper()
 
 
-@folds("API005")
+@folds("API005", common=3)
 def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
     """The first read of a name in a file, for all of them, and for the other names of its statement; and of what has no
     value after one ``except``."""
     if PAST_HANDLER in findings[0].group:
         return with_others(findings, "another variable has", "more variables have", "none, either")
-    if findings[0].group[-1] == _GLOBAL:
+    if findings[0].group[2:3] == (_GLOBAL,):
         return _of_globals(findings)
-    if findings[0].group[-1] == _ADDED:
+    if findings[0].group[2:3] == (_ADDED,):
         return _of_added(findings)
     if _EARLY in findings[0].group and len({told.identity[0] for told in findings}) > 1:
         return with_others(findings, "another variable has", "more variables have", "none, either")
@@ -345,7 +350,7 @@ def _of_globals(findings: Sequence[Finding]) -> Finding:
     """The first of the variables of the file that a function assigns as its own, with one cure for all."""
     names = dict.fromkeys(told.identity[0] for told in findings)
     whole = with_others(findings, "another variable has", "more variables have", "none, either")
-    return replace(whole, help=_declare([*names], findings[0].group[1]))
+    return replace(whole, help=_declare([*names], findings[0].group[3]))
 
 
 def _of_added(findings: Sequence[Finding]) -> Finding:
@@ -354,9 +359,8 @@ def _of_added(findings: Sequence[Finding]) -> Finding:
     names = dict.fromkeys(told.identity[0] for told in findings)
     if len(names) == 1:
         return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
-    function = findings[0].help.rpartition(" ")[2].removesuffix("()") if findings[0].help else ""
     whole = with_others(findings, "another variable has", "more variables have", "none, either")
-    return replace(whole, help=_declare([*names], function)) if function else whole
+    return replace(whole, help=_declare([*names], findings[0].group[3])) if len(findings[0].group) > 3 else whole
 
 
 def _of_imports(findings: Sequence[Finding]) -> Finding:
