@@ -36,7 +36,10 @@ def has_unseen_nodes(node: Node) -> bool:
 
 
 def unknown_to_externals(system: System) -> Iterator[Finding]:
-    """Values that such a node is given for parameters which it does not declare."""
+    """Values that such a node is given for parameters which it does not declare, and those of a controller manager's
+    controllers, once for the workspace."""
+    if system.launched is None and system.workspace is not None:
+        yield from _misplaced_for_controllers(system.workspace)
     places = Counter(place for node in system.nodes for place in _places(node))
     processes = Counter(id(node.started) for node in system.nodes)
     for node in system.nodes:
@@ -57,7 +60,7 @@ def unknown_to_externals(system: System) -> Iterator[Finding]:
             yield _finding(node, name, setting.place, _always_declared_by(node) - given)
 
 
-def misplaced_for_controllers(workspace: WorkspaceIndex) -> Iterator[Finding]:
+def _misplaced_for_controllers(workspace: WorkspaceIndex) -> Iterator[Finding]:
     """Values for controllers of ros2_controllers that stand beside the map which they belong into."""
     for row in misplaced_values(workspace):
         above = row.meant.removesuffix(f".{row.name}")
@@ -99,4 +102,4 @@ def _finding(node: Node, name: str, place: Place, free: set[str]) -> Finding:
     )
 
 
-__all__ = ["has_unseen_nodes", "misplaced_for_controllers", "unknown_to_externals"]
+__all__ = ["has_unseen_nodes", "unknown_to_externals"]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed, is_judged, names_in_package
 from archlint.analysis.kept import once
-from archlint.checks.external_parameters import has_unseen_nodes, misplaced_for_controllers, unknown_to_externals
+from archlint.checks.external_parameters import has_unseen_nodes, unknown_to_externals
 from archlint.checks.folding import folds
 from archlint.checks.misspelt_parameters import MISSPELT, is_told_otherwise, misspelt_for_every_node, misspelt_section
 from archlint.checks.registry import Options, finding, rule
@@ -41,8 +41,6 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
     """Values for parameters that the node does not declare."""
     yield from misspelt_for_every_node(system)
     yield from unknown_to_externals(system)
-    if system.launched is None and system.workspace is not None:
-        yield from misplaced_for_controllers(system.workspace)
     every: dict[tuple[str, str], set[str] | None] = {}
     said: set[tuple[Place, Place, str]] = set()
     shared = _Bundles(system)
