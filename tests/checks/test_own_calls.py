@@ -403,8 +403,10 @@ class Motor(Node):
 def main():
     rclpy.init()
     node = Motor()
-    rclpy.spin(node)
-    {in_main}
+    try:
+        rclpy.spin(node)
+    finally:
+        {in_main}
 
 
 main()

@@ -115,7 +115,7 @@ def test_rospy_itself_is_told_with_its_functions(said: Said) -> None:
 def test_other_names_of_a_file_of_ros_1_are_for_its_port(said: Said) -> None:
     names = UNDER_ANOTHER_NAME.replace("    rate =", "    name = raw_input()\n    rate =")
     assert said("API005", {"robot/talker.py": names}) == []
-    [finding] = said("API005", {"robot/talker.py": TALKER + "    raw_input()\n"})
+    [finding] = said("API005", {"robot/talker.py": TALKER.replace("    rclpy.spin", "    raw_input()\n    rclpy.spin")})
     assert finding.help == "write input"
 
 
