@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import operator
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file, once
 from archlint.analysis.source_code import code_of
 from archlint.syntax import facts
+from archlint.syntax.comparisons import COMPARISONS
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_facts import covers, outcome
 from archlint.syntax.parts import everything_in
@@ -18,11 +18,6 @@ from archlint.syntax.walk import called_name
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.systems.model import WorkspaceIndex
-
-_ORDERS: dict[str, Callable[[float, float], bool]] = {
-    **{"==": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt},
-    ">=": operator.ge,
-}
 
 
 _SAME = {"is": True, "==": True, "is not": False, "!=": False}
@@ -80,8 +75,8 @@ def truth_of_constants(part: facts.Expr, defaults: Mapping[str, facts.Literal]) 
                 return (value is other) is _SAME[op]
             if isinstance(value, str) and isinstance(other, str) and op in ("==", "!="):
                 return (value == other) is _SAME[op]
-            if isinstance(value, (int, float)) and isinstance(other, (int, float)) and op in _ORDERS:
-                return _ORDERS[op](value, other)
+            if isinstance(value, (int, float)) and isinstance(other, (int, float)) and op in COMPARISONS:
+                return COMPARISONS[op](value, other)
     return None
 
 

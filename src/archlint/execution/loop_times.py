@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-import operator
-from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from archlint.execution.collection_sizes import most_items
 from archlint.syntax import facts
+from archlint.syntax.comparisons import COMPARISONS
 from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import everything_in, names_in
 from archlint.syntax.tree import span_of
@@ -126,16 +125,6 @@ def _range_of(head: facts.Expr | None) -> range | None:
     return None
 
 
-_COMPARED: Mapping[str, Callable[[int, int], bool]] = {
-    "<": operator.lt,
-    "<=": operator.le,
-    ">": operator.gt,
-    ">=": operator.ge,
-    "==": operator.eq,
-    "!=": operator.ne,
-}
-
-
 def _rounds_that_come_to(code: SourceCode, call: ApiCall, loop: Loop | None) -> int | None:
     """How many rounds of a ``for`` over numbers come to a call that a test of the number is before: ``if attempt < 2``.
     None where no test says that."""
@@ -150,11 +139,11 @@ def _rounds_that_come_to(code: SourceCode, call: ApiCall, loop: Loop | None) -> 
             match branch.test:
                 case facts.Compare(
                     left=facts.Name(id=name), ops=[op], comparators=[facts.Literal(value=int(bound))]
-                ) if op in _COMPARED and name == statement.target.variable:
+                ) if op in COMPARISONS and name == statement.target.variable:
                     inside = any(covers(each, call.place.span) for each in branch.body)
                     other = any(covers(each, call.place.span) for each in branch.orelse)
                     if inside or other:
-                        left = [number for number in left if _COMPARED[op](number, bound) == inside]
+                        left = [number for number in left if COMPARISONS[op](number, bound) == inside]
     return None if len(left) == len(numbers) else len(left)
 
 

@@ -3,14 +3,14 @@ with less."""
 
 from __future__ import annotations
 
-import operator
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from archlint.model import Role
 from archlint.python_code.class_chains import targets_of
 from archlint.records import dataclass
 from archlint.syntax import facts
+from archlint.syntax.comparisons import COMPARISONS
 from archlint.syntax.walk import called_name
 
 if TYPE_CHECKING:
@@ -18,14 +18,6 @@ if TYPE_CHECKING:
 
 _GIVEN: Mapping[Role, int] = {Role.SERVICE: 2}
 """With how many arguments rclpy calls a callback."""
-_COMPARED: Mapping[str, Callable[[int, int], bool]] = {
-    "<": operator.lt,
-    "<=": operator.le,
-    ">": operator.gt,
-    ">=": operator.ge,
-    "==": operator.eq,
-    "!=": operator.ne,
-}
 
 
 @dataclass(frozen=True)
@@ -45,8 +37,10 @@ class GivenArguments:
             case facts.Unary(op="not", operand=inner):
                 holds = self._holds(inner)
                 return None if holds is None else not holds
-            case facts.Compare(left=left, ops=[op], comparators=[facts.Literal(value=int(number))]) if op in _COMPARED:
-                return _COMPARED[op](self.count, number) if self._is_length(left) else None
+            case facts.Compare(left=left, ops=[op], comparators=[facts.Literal(value=int(number))]) if (
+                op in COMPARISONS
+            ):
+                return COMPARISONS[op](self.count, number) if self._is_length(left) else None
         return self.count > 0 if test.variable == self.name or self._is_length(test) else None
 
     def _is_length(self, expression: facts.Expr) -> bool:
