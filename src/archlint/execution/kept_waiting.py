@@ -64,8 +64,7 @@ def who_waits(code: SourceCode, call: ApiCall, program: Program, *, but_listener
     node = callback.node
     if node is None:
         return Waiting.UNKNOWN
-    nodes = _spun_with(node, program)
-    besides = [creation for spun in nodes for creation in _taken_in_besides(code, spun, call, program)]
+    nodes, besides = _spun_with(node, program), _all_besides(code, call, program)
     others = [each for each in besides if not but_listeners or each is None or not is_of_listener(code, each)]
     if others:
         return Waiting.SELDOM if all(map(_runs_seldom, others)) else Waiting.OTHERS
@@ -77,10 +76,15 @@ def who_waits(code: SourceCode, call: ApiCall, program: Program, *, but_listener
 
 def keeps_intake_alone(code: SourceCode, call: ApiCall, program: Program) -> bool:
     """Whether all that has to wait are timers that seldom run, and subscriptions that only keep what they are given."""
+    others = _all_besides(code, call, program)
+    return bool(others) and all(_runs_seldom(creation) or _only_keeps(code, creation) for creation in others)
+
+
+def _all_besides(code: SourceCode, call: ApiCall, program: Program) -> list[Creation | None]:
+    """What gives the executors of a callback's node anything to do besides it, for all nodes that they run."""
     node = call.context.node
     nodes = [] if node is None else _spun_with(node, program)
-    others = [creation for spun in nodes for creation in _taken_in_besides(code, spun, call, program)]
-    return bool(others) and all(_runs_seldom(creation) or _only_keeps(code, creation) for creation in others)
+    return [creation for spun in nodes for creation in _taken_in_besides(code, spun, call, program)]
 
 
 def _spun_with(node: Blueprint, program: Program) -> list[Blueprint]:
