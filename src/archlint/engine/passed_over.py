@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -33,12 +32,9 @@ def own_rclpy(workspace: Workspace) -> SourceFile | None:
     packages = workspace.packages
     if any(_RCLPY in (package.name, *(row.name for row in package.dependencies)) for package in packages):
         return None
-    roles = FileRoles.of(file.relative for file in workspace.files)
-    for file in workspace.of_kind("python"):
-        folder, name = os.path.split(file.relative)
-        if name == "__init__.py" and os.path.basename(folder) == _RCLPY and not _stands_in(roles, file):
-            return file
-    return None
+    own = [file for file in workspace.of_kind("python") if file.relative.split("/")[-2:] == [_RCLPY, "__init__.py"]]
+    roles = FileRoles.of(file.relative for file in workspace.files) if own else None
+    return next((file for file in own if roles is not None and not _stands_in(roles, file)), None)
 
 
 def _stands_in(roles: FileRoles, file: SourceFile) -> bool:
