@@ -302,13 +302,13 @@ from std_msgs.msg import Float64
 class Robot(Node):
     def __init__(self):
         super().__init__('robot')
-        message = Float64()
+        self.message = Float64()
         {line}
 """
 
 
 def test_an_exception_that_is_expected(judge: Judge):
-    assignment = "message.data = 1"
+    assignment = "self.message.data = 1"
     guarded = f"try:\n            {assignment}\n        except (AssertionError, TypeError):\n            pass"
     judge("MSG003", GUARDED.format(line=f"{assignment}  # here"))
     assert not judge("MSG003", GUARDED.format(line=guarded))
@@ -316,7 +316,7 @@ def test_an_exception_that_is_expected(judge: Judge):
 
 @pytest.mark.parametrize("value", ["1", "0"])
 def test_humble_checks_what_is_assigned(judge: Judge, value: str):
-    source = GUARDED.format(line=f"message.data = {value}  # here")
+    source = GUARDED.format(line=f"self.message.data = {value}  # here")
     [finding] = judge("MSG003", source, config='distro = "humble"')
     assert finding.message.endswith(f"takes a float, not the int {value}: this line raises AssertionError")
 
@@ -409,7 +409,9 @@ def test_a_readme_that_names_humble_alone(judge: Judge, readme: str, files: dict
 
 
 def test_fields_of_one_type_that_get_the_same_wrong_kind_are_one_finding(judge: Judge):
-    line = "; ".join(["point = Point()", "point.x = 'a'", "point.y = 'b'", "point.z = 'c'", "Twist().linear.x = 'd'"])
+    line = "; ".join(
+        ["point = self.kept = Point()", "point.x = 'a'", "point.y = 'b'", "point.z = 'c'", "Twist().linear.x = 'd'"]
+    )
     text = NODE.replace("{line}", line.replace("; ", "\n        ")).replace("{of_joy}", "pass")
     text = text.replace("point.x = 'a'", "point.x = 'a'  # here").replace("linear.x = 'd'", "linear.x = 'd'  # here")
     first, other = judge("MSG003", text)

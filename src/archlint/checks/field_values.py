@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.pinned import is_for_humble
+from archlint.analysis.pinned import distros_to_judge, is_for_humble, is_for_humble_alone
 from archlint.analysis.reach import judged_notes
+from archlint.analysis.source_code import source_code
 from archlint.checks.field_operations import operations_on_fields
 from archlint.checks.folding import folds, with_others
 from archlint.checks.published import is_told_where_it_is_sent
@@ -17,13 +18,19 @@ from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Related
 from archlint.model import ValueEffect, WrongValue
 from archlint.python_code.byte_fields import ByteCompared, bytes_compared
+from archlint.python_code.next_uses import is_straight_behind
+from archlint.python_code.unsent_messages import is_never_sent
 
 if TYPE_CHECKING:
-    from archlint.finding import Finding
+    from archlint.finding import Finding, Place
     from archlint.systems.model import System
 
 _CHECKED = "humble"
 """The one distribution whose messages check what they are given."""
+_RAISES = "this line raises AssertionError"
+_FAILS = frozenset({_RAISES, "this line fails"})
+"""What comes of it where nothing behind the line runs, whichever the distribution."""
+_BEHIND = "behind "
 _COMES_OF_IT = {
     ValueEffect.SET: "this line fails",
     ValueEffect.SENT: "sending it fails",
@@ -38,10 +45,17 @@ def field_value_type(system: System, options: Options) -> Iterator[Finding]:
     """Values of a kind that their field does not take."""
     noted = judged_notes(system, lambda program: program.wrong_values)
     values = {(value.place, value.name): value for value in noted}
+    distros = distros_to_judge(system.workspace, options.distros)
+    failing: list[Place] = []
     for key in sorted(values):
-        consequence = _consequence(system, values[key], options.distros)
-        if consequence and not is_told_where_it_is_sent(system, values[key]):
-            yield from unless_uncalled(system, _finding(values[key], consequence))
+        value, consequence = values[key], _consequence(system, values[key], distros)
+        if consequence and not is_told_where_it_is_sent(system, value):
+            first = next(
+                (place for place in failing if is_straight_behind(source_code(system), place, value.place)), None
+            )
+            if first is None and consequence in _FAILS:
+                failing.append(value.place)
+            yield from unless_uncalled(system, _finding(value, consequence, first))
     for row in bytes_compared(system):
         yield from unless_uncalled(system, _compared(row))
     yield from operations_on_fields(system)
@@ -50,16 +64,18 @@ def field_value_type(system: System, options: Options) -> Iterator[Finding]:
 def _consequence(system: System, value: WrongValue, distros: Sequence[str]) -> str:
     """What comes of it, in words; empty where it works in a distribution that the workspace may be meant for."""
     checked, others = _CHECKED in distros and value.checked, any(distro != _CHECKED for distro in distros)
-    if value.effect is ValueEffect.NONE:
-        works = others and not is_for_humble(system.workspace)
-        return f"this line raises AssertionError{f' on {_CHECKED}' if others else ''}" if checked and not works else ""
+    unsent = value.effect is not ValueEffect.SET and is_never_sent(system.workspace, value.place)
+    if value.effect is ValueEffect.NONE or unsent:
+        needed = is_for_humble_alone if unsent else is_for_humble
+        works = others and not needed(system.workspace)
+        return f"{_RAISES}{f' on {_CHECKED}' if others else ''}" if checked and not works else ""
     asserted = checked and not others
     if asserted or value.effect is ValueEffect.SET:
-        return "this line raises AssertionError" if asserted and value.name else "this line fails"
-    return _COMES_OF_IT[value.effect] + (f" (on {_CHECKED} this line raises AssertionError)" if checked else "")
+        return _RAISES if asserted and value.name else "this line fails"
+    return _COMES_OF_IT[value.effect] + (f" (on {_CHECKED} {_RAISES})" if checked else "")
 
 
-def _finding(value: WrongValue, consequence: str) -> Finding:
+def _finding(value: WrongValue, consequence: str, first: Place | None) -> Finding:
     of = f"{value.type}.{value.section_name}" if value.section_name else value.type
     subject = f"'{value.name}' of {of}" if value.name else of
     return finding(
@@ -70,7 +86,7 @@ def _finding(value: WrongValue, consequence: str) -> Finding:
         related=[] if value.called_at is None else [Related(value.called_at, "this call gives it the value")],
         node=None if value.node is None else value.node.name.text,
         identity=(value.type, value.section_name, value.name, value.wanted),
-        group=(value.place.file, of, value.wanted, consequence),
+        group=(value.place.file, of, value.wanted, *_after(first), consequence),
     )
 
 
@@ -89,6 +105,27 @@ def _compared(row: ByteCompared) -> Finding:
     )
 
 
+def _after(first: Place | None) -> tuple[str, ...]:
+    return () if first is None else (f"{_BEHIND}{first.line}:{first.column}",)
+
+
+def _rows(findings: Sequence[Finding]) -> Iterable[Sequence[Finding]]:
+    """The findings of a file by type and by what comes of them; but those that stand behind a line which raises an
+    exception are one with it, for no run comes to them before it is mended."""
+    groups: dict[tuple[str, ...], list[Finding]] = {}
+    for told in findings:
+        groups.setdefault(told.group[:3], []).append(told)
+    rows = [list(row) for group in groups.values() for row in _by_consequence(group)]
+    leading = {_after(told.place): row for row in rows for told in row}
+    for row in rows:
+        for told in list(row):
+            first = leading.get(told.group[3:4]) if told.group[3].startswith(_BEHIND) else None
+            if first is not None and first is not row:
+                row.remove(told)
+                first.append(told)
+    return [sorted(row, key=lambda told: told.sort_key) for row in rows if row]
+
+
 def _by_consequence(findings: Sequence[Finding]) -> Iterable[Sequence[Finding]]:
     """The findings of a type by what comes of them; those of one line, ``r, g, b = (0, 0, 1)``, are one edit."""
     of_line: dict[int, str] = {}
@@ -99,7 +136,10 @@ def _by_consequence(findings: Sequence[Finding]) -> Iterable[Sequence[Finding]]:
     return rows.values()
 
 
-@folds("MSG003", common=3, rows=_by_consequence)
+_WRONG_TOO = ("another line behind it is", "more lines behind it are", "wrong, too")
+
+
+@folds("MSG003", common=1, rows=_rows)
 def of_one_message(findings: Sequence[Finding]) -> Finding:
     """The first of a file for all that give fields of one type the same wrong kind of value: whoever writes ``0`` for
     ``0.0`` does so for x, y and z."""
@@ -107,5 +147,7 @@ def of_one_message(findings: Sequence[Finding]) -> Finding:
     same_line = [other for other in others if other.place.line == first.place.line]
     lines = {other.place.line: other for other in reversed(others) if other not in same_line}
     rows = [first, *(lines[line] for line in sorted(lines))]
-    told = with_others(rows, "another line does", "more lines do", "the same") if lines else first
+    alike = len({each.group[:3] for each in rows}) == 1
+    words = ("another line does", "more lines do", "the same") if alike else _WRONG_TOO
+    told = with_others(rows, *words) if lines else first
     return replace(told, related=(*(Related(other.place, other.message) for other in same_line), *told.related))

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in
+from archlint.syntax.flow_facts import covers
+from archlint.syntax.parts import everything_in, parts_of
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
@@ -24,4 +25,18 @@ def is_next_use(code: SourceCode, assigned: Place, used: Place) -> bool:
     return following is not None and used.span[:2] <= following[:2] and following[2:] <= used.span[2:]
 
 
-__all__ = ["is_next_use"]
+def is_straight_behind(code: SourceCode, first: Place, later: Place) -> bool:
+    """Whether a place comes behind a simple statement in its block, or in a block that follows there: it is reached in
+    no run in which the statement raises an exception."""
+    statement, body = code.statement_at(first), code.body_at(first)
+    if statement is None or statement.blocks or first.file != later.file or body is not code.body_at(later):
+        return False
+    blocks = [body, *(block for part in parts_of(body, facts.Statement) for block in part.blocks)]
+    for block in blocks:
+        following = block[next((n for n, each in enumerate(block, 1) if each is statement), len(block)) :]
+        if any(covers(each, later.span) for each in following):
+            return True
+    return False
+
+
+__all__ = ["is_next_use", "is_straight_behind"]

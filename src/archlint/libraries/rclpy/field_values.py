@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import Instance, Known
@@ -53,7 +54,8 @@ _PUT_AT = {"append": 0, "insert": 1}
 
 
 def note_put(run: Run, container: facts.Attribute, method: str, site: CallSite) -> None:
-    """Note that the code puts into the array of a field what this never takes: ``path.poses.append(Pose())``."""
+    """Note that the code puts into the array of a field what this never takes: ``path.poses.append(Pose())``.
+    No setter runs, so that humble's messages check nothing here."""
     message = _named(run, container.value)
     if not isinstance(message, MessageValue) or site.expression is None or run.interfaces is None:
         return
@@ -68,7 +70,7 @@ def note_put(run: Run, container: facts.Attribute, method: str, site: CallSite) 
         wrong = wrong if wrong is not None and wrong.of_items else None
     else:
         return
-    wrong = None if may_be_of_another_type(run, message) else wrong
+    wrong = None if wrong is None or may_be_of_another_type(run, message) else replace(wrong, checked=False)
     _keep(run, message, container.attr, site.expression.span, wrong)
 
 
