@@ -59,6 +59,8 @@ def _finding(call: RefusedOwnCall) -> Finding:
         what += f", and {what_does_not_fit(Misuse.MISSING, lacking, 0)}"
     if call.instead:
         what += f", as {call.instead}() is no constructor"
+    if call.stray_self:
+        what += ", as 'self' takes the first argument"
     return finding(
         "API001",
         call.place,
@@ -73,6 +75,8 @@ def _finding(call: RefusedOwnCall) -> Finding:
 
 def _cure(call: RefusedOwnCall) -> str:
     wrong = call.misfit
+    if call.stray_self:
+        return f"{call.name}() is no method: take 'self' out of its parameters"
     if call.instead:
         return f"rename {call.instead}() to __init__()"
     if wrong.misuse is Misuse.UNKNOWN_KEYWORD and not _lacking(call):

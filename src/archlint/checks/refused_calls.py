@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.reach import judged_notes
 from archlint.checks.absent_imports import OF_MODULE, OF_NODES, absent_import_findings
 from archlint.checks.argument_words import cure_of_keywords, keywords_meant, quoted, what_does_not_fit
@@ -22,6 +21,7 @@ from archlint.checks.attributes import (
 from archlint.checks.early_reads import TOO_EARLY, early_read_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.late_attributes import TOO_LATE, late_attribute_findings
+from archlint.checks.nodes_at_hand import cure_of_spin, node_around
 from archlint.checks.own_calls import COMPARED, NOT_CALLED, own_call_findings
 from archlint.checks.refused_by_rclcpp import OF_RCLCPP, moved_name_findings, refused_by_rclcpp_findings
 from archlint.checks.registry import Options, finding, rule
@@ -65,7 +65,7 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
         slip = call.api == "rclpy.spin" and call.misuse is Misuse.MISSING and call.place.file in unported
         of_rospy = slip or is_of_ros_1(unported, call.place.file)  # API002 says to port it
         if call.misuse not in _OF_OTHER_RULES and not of_rospy and _is_refused(call, options.distros):
-            yield from unless_uncalled(system, _finding(call))
+            yield from unless_uncalled(system, _finding(system, call))
     yield from time_operator_findings(system)
     yield from own_call_findings(system)
     yield from used_value_findings(system)
@@ -175,7 +175,7 @@ def _define(system: System, call: RefusedCall, name: str) -> str:
     if call.given.rpartition(".")[2] == "Future" and name in (attributes_of(_GOAL_HANDLE) or ()):
         return "keep the future apart from the goal handle, which is its result()"
     if not _is_of_node(call) and name in (attributes_of(_NODE) or ()):
-        return f"it is a method of the node: write {_node_around(system, call)}.{name}(…)"
+        return f"it is a method of the node: write {node_around(system, call)}.{name}(…)"
     if call.api.startswith(_CLIENT) and name in (attributes_of(_ACTION_CLIENT) or ()):
         return "make an ActionClient of rclpy.action, which has it, in place of the client"
     if call.given.rpartition(".")[2] == "ClientGoalHandle" and "feedback" in name:
@@ -187,14 +187,6 @@ def _define(system: System, call: RefusedCall, name: str) -> str:
 
 _OF_RCLPY = frozenset({"init", "ok", "shutdown", "spin", "spin_once", "spin_until_future_complete", "try_shutdown"})
 """Functions of rclpy that are taken for methods of a node.  Source: ``rclpy/__init__.py``."""
-
-
-def _node_around(system: System, call: RefusedCall) -> str:
-    """What the code at a call has for its node: itself in the class of one."""
-    cls = enclosing_class(system.workspace, call.place)
-    blueprints = (blueprint for node in system.nodes for blueprint in node.blueprints)
-    is_node = any((row.place.file, row.class_name) == (call.place.file, cls) for row in blueprints)
-    return "self" if is_node else "node"
 
 
 def _is_open(call: RefusedCall) -> bool:
@@ -259,16 +251,17 @@ _WHATEVER_IS_GIVEN = frozenset({Misuse.MISSING, Misuse.TOO_MANY, Misuse.TWICE, M
 """What is wrong with a call as it is written: another way to it may bring other values, but no other arguments."""
 
 
-def _finding(call: RefusedCall) -> Finding:
+def _finding(system: System, call: RefusedCall) -> Finding:
     name = name_of_call(call.api)
     inherited = _is_inherited_constructor(call)
     no_node = call.misuse is Misuse.KIND and call.parameters == ("node",)
+    of_node = cure_of_spin(system, name, call)
     outcome = "starts nothing" if _is_called_for_thread(call) else _FAILS
     return finding(
         "API001",
         call.place,
         f"{_subject(name, call)} {outcome}: {_what_is_wrong(call)}",
-        help=_cure(name, call),
+        help=of_node or _cure(name, call),
         identity=(call.api, str(call.misuse), *call.parameters),
         # What is no node is none for all calls, and who gives one level of a logger too much does so to the others.
         group=(
@@ -276,6 +269,7 @@ def _finding(call: RefusedCall) -> Finding:
             call.given if no_node or inherited else LOGGER if call.api.startswith(LOGGER) else call.api,
             str(call.misuse),
             *call.parameters,
+            of_node,
         ),
         fails=outcome == _FAILS and call.misuse in _WHATEVER_IS_GIVEN,
     )

@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING, Literal
 
 from archlint.interpreter.imported_names import imported_names
 from archlint.interpreter.reads import Reads
+from archlint.interpreter.search_path import changes_search_path
 from archlint.place import Place
 from archlint.records import dataclass
 from archlint.syntax.facts import Facts, Span
 from archlint.workspace.closure import closure
-from archlint.workspace.importable import Importable
+from archlint.workspace.importable import ANYWHERE, Importable
 
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
@@ -161,6 +162,7 @@ class ModuleIndex:
 
     def find(self, importer: Module, name: str, level: int = 0) -> Module | None:
         """The module called ``name`` for an import in ``importer``; None for foreign ones."""
+        level = ANYWHERE if not level and changes_search_path(importer.facts) else level
         file = self.importable.meant(importer.file, name, level)
         if self._readers:
             self._readers[-1].lookups[importer.file.path, name, level] = None if file is None else file.path

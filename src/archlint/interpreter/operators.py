@@ -168,6 +168,8 @@ def _compared(machine: Machine, op: facts.CompareOperator, left: Value, right: V
             return _compare_constants(op, left.value, right.value)
         case (Holed() as holed, Known(value=str(text))) | (Known(value=str(text)), Holed() as holed) if op == "==":
             return None if holed.may_be(text) else False
+        case (Instance(is_member=True) as member, Known()) | (Known(), Instance(is_member=True) as member):
+            return False if op in ("==", "is") and _is_no_number(machine, member) else None
     if op in ("==", "is"):
         same = _same(left, right)
         return None if same is False and op == "==" and _may_equal(machine, left, right) else same
@@ -219,6 +221,12 @@ def _compares(machine: Machine, value: Instance) -> bool:
         return True
     data = any("dataclass" in path for base in cls.classes for path in base.decorators)
     return data or "typing.NamedTuple" in cls.external_bases() or cls.lookup(machine, "__eq__")[0] is not None
+
+
+def _is_no_number(machine: Machine, member: Instance) -> bool:
+    """Whether a member of an enum equals members alone, and nothing that it stands for, as one of an ``IntEnum``."""
+    cls = member.own_class
+    return cls is not None and set(cls.external_bases()) == {"enum.Enum"} and not _compares(machine, member)
 
 
 def _contains(machine: Machine, item: Value, container: Value) -> bool | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import code_of
@@ -42,6 +42,19 @@ def node_spun(workspace: WorkspaceIndex, place: Place) -> str:
     )
     spun = {call.args[0].value.variable for call in parts_of(body, facts.Call) if _takes_a_node(call)}
     return spun.pop() if is_node and len(spun) == 1 else ""
+
+
+def node_made(workspace: WorkspaceIndex, place: Place, classes: Collection[str | None]) -> str:
+    """The variable of the only node that a function has made before a place, of some classes or by ``create_node()``;
+    empty where there is none, or several."""
+    nodes = {
+        (statement.targets[0].variable, statement.span < place.span)
+        for statement in parts_of(code_of(workspace).body_at(place), facts.Assign)
+        if isinstance(statement.value, facts.Call)
+        and (called_name(statement.value) in classes or called_name(statement.value) == "create_node")
+    }
+    name, is_before = nodes.pop() if len(nodes) == 1 else ("", False)
+    return name if is_before else ""
 
 
 def _is_of_nodes(cls: facts.Class) -> bool:

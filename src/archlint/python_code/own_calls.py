@@ -75,6 +75,8 @@ class RefusedOwnCall:
     """The parameters that the call does not give and that go by name."""
     lacks_self: bool = False
     """Whether it is a method whose first parameter is not called ``self``, but takes the object."""
+    stray_self: bool = False
+    """Whether it is no method, and every call of the file leaves out its parameter ``self``."""
     in_node: bool = False
     """Whether a method of a node makes the call."""
     instead: str = ""
@@ -113,9 +115,24 @@ def refusal_of(
         signature,
         keywords,
         lacks_self,
+        _has_stray_self(workspace, file, call, meant),
         _is_in_node(workspace, file, call),
         "" if cls is None else meant_as_constructor([cls.code]),
     )
+
+
+def _has_stray_self(workspace: WorkspaceIndex, file: str, call: OwnCall, meant: FunctionInFile) -> bool:
+    params = meant.code.params
+    if meant.bound or meant.file != file or not params or params[0].name != "self":
+        return False
+    calls = [other for other in own_calls_of(workspace, file) or () if other.name == call.name]
+    mentions = [name for name in everything_in(_body(workspace, file), facts.Name) if name.id == call.name]
+    return len(mentions) == len(calls) and all(_misfit(params[1:], other) is None for other in calls)
+
+
+def _body(workspace: WorkspaceIndex, file: str) -> Sequence[facts.Stmt]:
+    code = workspace.facts_at(file)
+    return () if code is None else code.body
 
 
 def _misfit(params: Sequence[facts.Param], call: OwnCall) -> Misfit | None:

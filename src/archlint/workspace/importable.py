@@ -23,6 +23,9 @@ _OF_ROS = frozenset(
 )
 """ROS's own Python packages.  A folder of such a name with an ``__init__.py`` in it, often ``launch``, is no such."""
 
+ANYWHERE = -1
+"""In place of the number of dots: the absolute import of code that says itself where Python looks for modules."""
+
 
 class Importable:
     """The Python files among those of a workspace, by all names under which code can import them; and those of C++."""
@@ -67,7 +70,7 @@ class Importable:
         if key not in self._meant and importer.kind == "cpp":
             self._meant[key] = self.includes.find(importer, name)
         if key not in self._meant:  # every attribute of what a package gives is looked up, for it may be a module
-            self._meant[key] = self._relative(importer, name, level) if level else self._absolute(importer, name)
+            self._meant[key] = self._found(importer, name, level)
         return self._meant[key]
 
     def at(self, path: str) -> SourceFile | None:
@@ -77,6 +80,21 @@ class Importable:
     def files(self) -> list[SourceFile]:
         """All files that can be imported, by their paths."""
         return [file for path, file in sorted(self._by_path.items()) if path == file.path.replace("\\", "/")]
+
+    def _found(self, importer: SourceFile, name: str, level: int) -> SourceFile | None:
+        if level == ANYWHERE:
+            return None if self._is_any_of_several(importer, name) else self._absolute(importer, name)
+        return self._relative(importer, name, level) if level else self._absolute(importer, name)
+
+    def _is_any_of_several(self, importer: SourceFile, name: str) -> bool:
+        """Whether several folders of the workspace have such a module, of which none is beside the importer and none
+        installed with it."""
+        named = self._by_name.get(name, [])
+        own = importer.package is not None and any(file.package == importer.package for file in named)
+        if own or self._beside(importer, name) is not None:
+            return False
+        files = [*named, *self._with_tail(name)]
+        return len({file.path for file in files if file.path != importer.path}) > 1
 
     def _relative(self, importer: SourceFile, name: str, level: int) -> SourceFile | None:
         for named in _names_of(importer):
@@ -100,9 +118,8 @@ class Importable:
         same = [file for file in candidates if file.package == importer.package]
         if same:
             return _nearest(importer, same)
-        folder = importer.path.replace("\\", "/").rpartition("/")[0]
-        beside = self._at("/".join((folder, *name.split("."))))
-        if beside is not None and beside.path != importer.path:
+        beside = self._beside(importer, name)
+        if beside is not None:
             return beside
         if candidates:
             return _nearest(importer, candidates)
@@ -112,14 +129,23 @@ class Importable:
         """A dotted name below some folder of the same package that is put on the path by other means."""
         if "." not in name:
             return None
+        candidates = [file for file in self._with_tail(name) if file.package == importer.package]
+        return _nearest(importer, candidates) if candidates else None
+
+    def _with_tail(self, name: str) -> list[SourceFile]:
+        """The files that have a dotted name below some folder."""
         tail = "/" + name.replace(".", "/")
-        candidates = [
+        return [
             file
             for file in self._by_tail.get(name.rpartition(".")[2], [])
-            if file.package == importer.package
-            and file.path.replace("\\", "/").removesuffix("/__init__.py").removesuffix(".py").endswith(tail)
+            if file.path.replace("\\", "/").removesuffix("/__init__.py").removesuffix(".py").endswith(tail)
         ]
-        return _nearest(importer, candidates) if candidates else None
+
+    def _beside(self, importer: SourceFile, name: str) -> SourceFile | None:
+        """The file with a name in the folder of another."""
+        folder = importer.path.replace("\\", "/").rpartition("/")[0]
+        beside = self._at("/".join((folder, *name.split("."))))
+        return None if beside is None or beside.path == importer.path else beside
 
 
 def _names_of(file: SourceFile) -> tuple[SourceFile | Link, ...]:

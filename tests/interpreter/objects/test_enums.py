@@ -192,3 +192,21 @@ def test_members_that_are_texts_or_numbers():
         depths = [depth.value * 2 for depth in Depth]
         """
     )
+
+
+@pytest.mark.parametrize("bases", ["Enum", "IntEnum", "int, Enum", "str, Enum"])
+@pytest.mark.parametrize("test", ["Mode.IDLE == 1", "1 != Mode.IDLE", "Mode.IDLE.value == 1", "Mode.IDLE == None"])
+def test_whether_a_member_equals_what_it_stands_for(bases: str, test: str):
+    """It does where its class is one of numbers or texts, too; what is not followed there is not said."""
+    source = f"""
+from enum import Enum, IntEnum
+
+class Mode({bases}):
+    IDLE = {"'1'" if "str" in bases else 1}
+
+it = 'yes' if {test} else 'no'
+"""
+    found = interpret(source, WITH_LIBRARIES)
+    assert in_python(source)["it"] in found.options("it")
+    if bases == "Enum":
+        assert_like_python(source, WITH_LIBRARIES)
