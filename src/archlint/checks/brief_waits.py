@@ -13,6 +13,7 @@ from archlint.checks.wait_words import made_here
 from archlint.execution.device_pauses import is_for_an_answer, is_for_what_has_not_arrived
 from archlint.execution.long_stays import LongStay, period_of
 from archlint.execution.loop_times import in_loops
+from archlint.execution.states import leaves_its_state
 from archlint.model import Role
 
 if TYPE_CHECKING:
@@ -28,7 +29,10 @@ def are_brief(system: System, rows: Sequence[LongStay], *, quiet: bool) -> bool:
     if all(_is_in_a_test(code, row) for row in rows):
         return True
     return quiet and (
-        _looks_briefly(system, rows) or _runs_commands_for_a_request(rows) or _are_on_purpose(system, code, rows)
+        _looks_briefly(system, rows)
+        or _runs_commands_for_a_request(rows)
+        or _are_on_purpose(system, code, rows)
+        or _come_once(code, rows)
     )
 
 
@@ -92,6 +96,16 @@ def _are_on_purpose(system: System, code: SourceCode, rows: Sequence[LongStay]) 
     if any(is_for_an_answer(code, call) and not _fills_its_period(system, call, stay) for _, call, stay in rows):
         return len({call.function for _, call, _ in rows}) == 1
     return all(call.context.role == Role.TIMER and is_for_what_has_not_arrived(code, call) for _, call, _ in rows)
+
+
+_ONCE = 2.0
+"""Seconds that a node may lose once, on its way from one state to the next."""
+
+
+def _come_once(code: SourceCode, rows: Sequence[LongStay]) -> bool:
+    """Whether a function only sleeps, for a short time in all, and in a state of its node that it leaves there."""
+    seconds = sum(in_loops(code, call, stay, with_callers=True) for _, call, stay in rows)
+    return seconds <= _ONCE and all(stay.kind == "sleep" and leaves_its_state(code, call) for _, call, stay in rows)
 
 
 __all__ = ["are_brief"]

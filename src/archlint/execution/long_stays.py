@@ -21,7 +21,7 @@ from archlint.execution.recoveries import brings_up_again
 from archlint.execution.retries import around_future, is_retry
 from archlint.execution.sleeps import Stay, stay_of
 from archlint.execution.spins import is_never_spun_at_all
-from archlint.execution.starting_threads import waits_for_its_thread
+from archlint.execution.starting_threads import is_after_a_join, waits_for_its_thread
 from archlint.execution.ways_out import ends_at_a_miss, ends_with_the_node, hands_over, says_farewell
 from archlint.model import Role
 from archlint.model.given import Constant
@@ -61,7 +61,7 @@ def long_stays(system: System) -> Iterator[LongStay]:
             or says_farewell(code, call, stay)
             or (stay.kind == "process" and (not call.looped or is_retry(code, call)) and is_soon_over(code, call))
             or (stay.kind == "process" and call.context.role == Role.SERVICE and makes_a_file(code, call))
-            or (stay.kind == "sleep" and waits_for_its_thread(code, call))
+            or (stay.kind == "sleep" and (waits_for_its_thread(code, call) or is_after_a_join(code, call)))
             or _is_no_program(system, call.context)
             or (call.context.node is not None and is_never_spun_at_all(code, program, call.context.node))
         ):

@@ -9,6 +9,7 @@ from archlint.analysis.reach import argument, judged_calls
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.model import ExecutorKind, Role, SpinDuration
 from archlint.model.given import Node, Object
+from archlint.python_code.endless_constructors import endless_classes
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_raises, graph_of
 from archlint.syntax.parts import everything_in
@@ -143,9 +144,24 @@ def _comes_first(code: SourceCode, call: ApiCall, later: ApiCall) -> bool:
 
 def is_never_spun_at_all(code: SourceCode, program: Program, node: Blueprint) -> bool:
     """Whether a program comes to no spin of a node, since a function that it calls before each never returns: the menu
-    of ``start(robot)``, in front of ``rclpy.spin(robot)``."""
+    of ``start(robot)``, in front of ``rclpy.spin(robot)``, or the constructor of the node itself."""
     spells = [spell for use in program.executors if use.spun for spell in use.spells.get(node, ())]
+    if _never_comes_to_be(code, node) and not any(_is_of_constructor(call) for call in program.calls):
+        return True
     return bool(spells) and all(_is_behind_endless_call(code, program, spell.place) for spell in spells)
+
+
+def _is_of_constructor(call: ApiCall) -> bool:
+    """Whether a constructor spins, be it in a method that it calls."""
+    functions = (call.function, *(hop.caller for hop in call.chain))
+    return is_spin_call(call) and any(name.rpartition(".")[2] == "__init__" for name in functions)
+
+
+def _never_comes_to_be(code: SourceCode, node: Blueprint) -> bool:
+    """Whether the constructor of a node never returns, and hands it to nobody else."""
+    written = code.facts_at(node.place.file)
+    is_seen = not (node.escapes or node.caller_unknown)
+    return is_seen and written is not None and node.class_name in endless_classes(written)
 
 
 def _is_behind_endless_call(code: SourceCode, program: Program, place: Place) -> bool:

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.misspelt_constructor import CONSTRUCTOR
-from archlint.syntax.parts import everything_in
+from archlint.syntax.parts import everything_in, parts_of
 from archlint.syntax.walk import called_name, given_to, is_none
 
 if TYPE_CHECKING:
@@ -45,6 +45,34 @@ def waits_for_its_thread(code: SourceCode, call: ApiCall) -> bool:
         if is_none(assignment.value)
     )
     return not any(target.dotted == awaited for assignment in taken_back for target in assignment.targets)
+
+
+def is_after_a_join(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a sleep is in a loop that never goes round: it asks whether a thread is alive for which the line before
+    has waited without a limit."""
+    loop = code.loop(call)
+    asked = [_asked_thread(test) for test in loop.tests] if isinstance(loop, facts.While) else []
+    blocks = [code.body(call), *(block for part in parts_of(code.body(call), facts.Statement) for block in part.blocks)]
+    return any(
+        statement is loop and any(_joined(before) in asked for before in block[:at])
+        for block in blocks
+        for at, statement in enumerate(block)
+        if any(asked)
+    )
+
+
+def _asked_thread(test: facts.Expr) -> str | None:
+    match test:
+        case facts.Call(func=facts.Attribute(value=thread, attr="is_alive" | "isAlive"), args=[]):
+            return thread.dotted or None
+    return None
+
+
+def _joined(statement: facts.Stmt) -> str:
+    match statement:
+        case facts.Expression(value=facts.Call(func=facts.Attribute(value=thread, attr="join"), args=[])):
+            return thread.dotted
+    return ""
 
 
 def _awaited(test: facts.Expr) -> str:
@@ -76,4 +104,4 @@ def _sets_at_once(function: facts.Function, attribute: str) -> bool:
     return False
 
 
-__all__ = ["waits_for_its_thread"]
+__all__ = ["is_after_a_join", "waits_for_its_thread"]
