@@ -41,9 +41,11 @@ from archlint.execution.announced_waits import (
     is_announced_start,
     is_documented_start,
     is_ended_by_hand,
+    is_second_wait,
     is_start_in_order,
+    says_something,
 )
-from archlint.execution.asking_scripts import is_launched, is_step_of_asking_script
+from archlint.execution.asking_scripts import asks_once, is_launched, is_step_of_asking_script
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.called_by_hand import is_command, is_driven_by_hand
 from archlint.execution.client_loops import is_for_each_client
@@ -86,6 +88,8 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         and not (is_ended_by_hand(system, call) and _is_minor(system, program, call))
         and not is_there(system, call)
         and not _has_waited_at_start(system, program, call)
+        and not is_second_wait(system, program, call)
+        and not _is_in_a_loop_that_tells(system, call)
     )
 
 
@@ -103,6 +107,12 @@ def _has_waited_at_start(system: System, program: Program, call: ApiCall) -> boo
         and waits_for_ever(code, other, _LIMIT[other.api])
         for other in program.calls
     )
+
+
+def _is_in_a_loop_that_tells(system: System, call: ApiCall) -> bool:
+    """Whether a program starts with a loop that waits again and again, and says so: its author knows that the server
+    may be late, and wants to see it."""
+    return call.context.role in (Role.INIT, Role.MAIN) and says_something(source_code(system).loop(call))
 
 
 def _is_start(system: System, call: ApiCall) -> bool:
@@ -200,7 +210,7 @@ def _is_command(system: System, program: Program, call: ApiCall) -> bool:
     node = call.node or call.context.node
     if call.context.role not in (Role.MAIN, Role.INIT) or (node is not None and is_launched(system.workspace, node)):
         return False
-    return is_command(source_code(system), call.file)
+    return is_command(source_code(system), call.file) or asks_once(system, program, call)
 
 
 def is_uncalled(call: ApiCall) -> bool:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from archlint.analysis.reach import creations_of
+from archlint.analysis.order import always_comes_before
+from archlint.analysis.reach import creations_of, waits_for_ever
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.execution.blocking import SEVERAL
 from archlint.execution.callback_roles import runs_in_executor
@@ -14,7 +15,8 @@ from archlint.execution.kept_waiting import blocks_nobody
 from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.parts import everything_in
+from archlint.syntax.misspelt_constructor import CONSTRUCTOR
+from archlint.syntax.parts import everything_in, parts_of
 from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
@@ -102,6 +104,42 @@ def _takes_back(handler: facts.Handler) -> bool:
     return any(called_name(call) not in _SAYS | _ENDS for call in calls_in(handler.body))
 
 
+def is_second_wait(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether a program that comes to a wait on its own way has waited there for the same server before, until it was
+    there: without a limit, or in a loop that asks for it again."""
+    code, clients = source_code(system), {client.place for client in creations_of(call.receiver)}
+    if not clients or call.context.role not in _ON_ITS_WAY:
+        return False
+    return any(
+        other.api == call.api
+        and other.place != call.place
+        and {client.place for client in creations_of(other.receiver)} == clients
+        and _ends_with_the_server(code, other)
+        and (always_comes_before(code, other, call) or (_is_in_constructor(other) and not _is_in_constructor(call)))
+        for other in program.calls
+    )
+
+
+_ON_ITS_WAY = frozenset({Role.INIT, Role.MAIN, Role.MODULE})
+
+
+def _ends_with_the_server(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a wait is over only once the server is there: ``while not client.wait_for_service(timeout_sec=1.0):``"""
+    loop = code.loop(call)
+    if waits_for_ever(code, call, "timeout_sec", negative=False):
+        return True
+    match loop:
+        case facts.While(test=facts.Unary(op="not", operand=facts.Call(span=span))):
+            jumps = any(part.kind == "break" for part in parts_of(loop.body, facts.Jump))
+            return span == call.place.span and not jumps and not any(parts_of(loop.body, facts.Return))
+    return False
+
+
+def _is_in_constructor(call: ApiCall) -> bool:
+    functions = (call.function, *(hop.caller for hop in call.chain))
+    return any(name.rpartition(".")[2] == CONSTRUCTOR for name in functions)
+
+
 def says_something(loop: facts.While | facts.For | None) -> bool:
     """Whether each round of a loop may write to the log or to the terminal: whoever looks sees what it waits for."""
     return loop is not None and any(called_name(call) in _SAYS for call in calls_in(loop.body))
@@ -147,6 +185,7 @@ __all__ = [
     "is_announced_start",
     "is_documented_start",
     "is_ended_by_hand",
+    "is_second_wait",
     "is_start_in_order",
     "says_something",
 ]
