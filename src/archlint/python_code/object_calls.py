@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.python_code.made_objects import calls_of_objects, class_of_object
-from archlint.python_code.own_calls import OwnCall, RefusedOwnCall, method_meant, refusal_of
+from archlint.python_code.misfits import OwnCall
+from archlint.python_code.own_calls import RefusedOwnCall, method_meant, refusal_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex

@@ -24,6 +24,7 @@ from archlint.python_code.class_chains import (
     methods_of,
     targets_of,
 )
+from archlint.python_code.misfits import Misfit, OwnCall, by_position_of, misfit_of, needed_of
 from archlint.python_code.offered_names import may_make_names, stars
 from archlint.python_code.tried_code import tried_for
 from archlint.records import dataclass
@@ -48,17 +49,6 @@ class FunctionInFile:
     file: str
     code: facts.Function
     bound: int = 0
-
-
-@dataclass(frozen=True)
-class Misfit:
-    """What is wrong with the arguments of a call: the parameters it is about, how many it takes by position, and what
-    is ``missing`` beside unknown keywords."""
-
-    misuse: Misuse
-    parameters: tuple[str, ...] = ()
-    takes: int = 0
-    missing: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -98,13 +88,13 @@ def refusal_of(
     workspace: WorkspaceIndex, file: str, call: OwnCall, meant: FunctionInFile | None
 ) -> RefusedOwnCall | None:
     """What is to say of a call in a file, of a function that it is known to run; None where its arguments fit."""
-    wrong = None if meant is None else _misfit(meant.code.params[meant.bound :], call)
+    wrong = None if meant is None else misfit_of(meant.code.params[meant.bound :], call)
     if meant is None or wrong is None:
         return None
     params = meant.code.params
     lacks_self = call.cls is not None and meant.bound == 1 and params[0].name not in ("self", "cls")
     own = params[meant.bound :]
-    signature = tuple(_needed(own) if wrong.misuse is not Misuse.TOO_MANY else _by_position(own))
+    signature = tuple(needed_of(own) if wrong.misuse is not Misuse.TOO_MANY else by_position_of(own))
     keywords = _left(own, call) if wrong.misuse is Misuse.UNKNOWN_KEYWORD else ()
     cls = class_meant_by(workspace, file, call.name) if meant.code.name == CONSTRUCTOR else None
     return RefusedOwnCall(
@@ -127,7 +117,7 @@ def _has_stray_self(workspace: WorkspaceIndex, file: str, call: OwnCall, meant: 
         return False
     calls = [other for other in own_calls_of(workspace, file) or () if other.name == call.name]
     mentions = [name for name in everything_in(_body(workspace, file), facts.Name) if name.id == call.name]
-    return len(mentions) == len(calls) and all(_misfit(params[1:], other) is None for other in calls)
+    return len(mentions) == len(calls) and all(misfit_of(params[1:], other) is None for other in calls)
 
 
 def _body(workspace: WorkspaceIndex, file: str) -> Sequence[facts.Stmt]:
@@ -135,31 +125,9 @@ def _body(workspace: WorkspaceIndex, file: str) -> Sequence[facts.Stmt]:
     return () if code is None else code.body
 
 
-def _misfit(params: Sequence[facts.Param], call: OwnCall) -> Misfit | None:
-    """What is wrong with the arguments of a call for such parameters; None where nothing is."""
-    by_position = _by_position(params)
-    by_name = {param.name for param in params if param.kind in ("normal", "keyword_only")}
-    kinds = {param.kind for param in params}
-    if call.given > len(by_position) and "star" not in kinds:
-        return Misfit(Misuse.TOO_MANY, takes=len(by_position))
-    unknown = tuple(name for name in call.keywords if name not in by_name)
-    filled = {*by_position[: call.given], *call.keywords}
-    missing = tuple(name for name in _needed(params) if name not in filled)
-    if unknown and "double_star" not in kinds:
-        return Misfit(Misuse.UNKNOWN_KEYWORD, unknown, missing=missing)
-    twice = tuple(name for name in call.keywords if name in by_position[: call.given])
-    if twice:
-        return Misfit(Misuse.TWICE, twice)
-    return Misfit(Misuse.MISSING, missing) if missing else None
-
-
-def _by_position(params: Sequence[facts.Param]) -> list[str]:
-    return [param.name for param in params if param.kind in ("positional_only", "normal")]
-
-
 def _left(params: Sequence[facts.Param], call: OwnCall) -> tuple[str, ...]:
     """The parameters that go by name and that a call does not give."""
-    given = {*_by_position(params)[: call.given], *call.keywords}
+    given = {*by_position_of(params)[: call.given], *call.keywords}
     return tuple(param.name for param in params if param.kind in ("normal", "keyword_only") and param.name not in given)
 
 
@@ -170,30 +138,7 @@ def _is_in_node(workspace: WorkspaceIndex, file: str, call: OwnCall) -> bool:
     return not NODE_CLASSES.isdisjoint(chain_of(workspace, ClassInFile(file, classes_of(code)[call.within])).foreign)
 
 
-def _needed(params: Sequence[facts.Param]) -> Iterator[str]:
-    """The parameters that may not be left out."""
-    for param in params:
-        if param.default is None and param.kind in ("positional_only", "normal", "keyword_only"):
-            yield param.name
-
-
 # ----------------------------------------------------------------------------------------------- which calls there are
-
-
-@dataclass(frozen=True)
-class OwnCall:
-    """A call of which all arguments are written out."""
-
-    name: str
-    """What is called, as it is written."""
-    span: facts.Span
-    cls: int | None
-    """For a method of ``self``: the class that the method around it is of, by its position in the file."""
-    given: int
-    """How many arguments are given by position."""
-    keywords: tuple[str, ...]
-    within: int | None = None
-    """The class in a method of which with ``self`` it stands, by its position in the file."""
 
 
 @kept_for_each_file
