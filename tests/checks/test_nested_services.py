@@ -747,6 +747,14 @@ FLAG = ["if {flag}:", "    return response", "try:", "    self.busy = True", *(f
     [
         (CALL, True),
         ([line.format(flag="self.busy") for line in FLAG], False),
+        ([line.format(flag="self.busy or request is None") for line in FLAG], False),
+        ([line.format(flag="self.busy and request is None") for line in FLAG], True),
+        (["with self.lock:", "    if self.busy:", "        return response", "    self.busy = True", *CALL], False),
+        (["if self.state == 'busy':", "    return response", "self.state = 'busy'", *CALL], False),
+        (["if self.state == 'busy':", "    return response", "self.state = 'idle'", *CALL], True),
+        (["if self.state != 'idle':", "    return response", "self.state = 'busy'", *CALL], False),
+        (["if not self.lock.acquire(blocking=False):", "    return response", *CALL], False),
+        (["if not self.lock.acquire(timeout=9.0):", "    return response", *CALL], True),
         ([line.format(flag="self.idle") for line in FLAG], True),  # nothing sets that one
         (["if self.busy:", "    print('busy')", "self.busy = True", *CALL], True),  # and it goes on
     ],

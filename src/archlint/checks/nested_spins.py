@@ -69,7 +69,7 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
         program,
         call,
         f"{callback_words(call.context)} calls {function}(), and {verdict.why}: this {verdict.words}",
-        help=_instead_of_spinning(program, call, spun, client),
+        help=_instead_of_spinning(system, program, call, spun, client),
         client=client,
         identity=(function,),
         group=_cured_together(program, call, spun),
@@ -86,12 +86,14 @@ def _cured_together(program: Program, call: ApiCall, spun: Blueprint | None) -> 
     return (callback.place.file, str(callback.place.line), callback.name)
 
 
-def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None, client: Creation | None) -> str:
+def _instead_of_spinning(
+    system: System, program: Program, call: ApiCall, spun: Blueprint | None, client: Creation | None
+) -> str:
     """What to do; whoever spins in a loop waits for something, and the answer of a handler must wait for it, too."""
     if is_left_to(call, spun, program):
         return OWN_EXECUTOR.format(call.api.rpartition(".")[2])
     if argument(call, "future") is not None:
-        return when_done(call.context, call, client)
+        return when_done(call.context, call, client, source_code(system).call_at(call.place))
     several = threads_of(call.context.node, program) == blocking.SEVERAL
     if call.looped and call.context.role == Role.EXECUTE:
         return _PAUSE if several else f"spin the node with a MultiThreadedExecutor, and {_PAUSE}"

@@ -192,6 +192,8 @@ class Verdict:
     """What the first releases of the distributions of :data:`NESTED_SINCE` do, where that is something else."""
     kept_since: tuple[str, str] | None = None
     """A distribution, and the rclpy from which on the call no longer loses its node there."""
+    goes_round: bool = False
+    """Whether it is a loop of spins, all of which have a timeout: nothing stands still, but the loop never ends."""
 
     @property
     def safe(self) -> bool:
@@ -218,7 +220,8 @@ class Verdict:
     @property
     def words(self) -> str:
         """``deadlocks``; where the distributions and their releases differ, which does what."""
-        return outcome_words(self.outcomes) + self._before_words() + self._lost_words()
+        words = outcome_words(self.outcomes) + self._before_words() + self._lost_words()
+        return words.replace(Outcome.HANGS, "never ends") if self.goes_round else words
 
     def _lost_words(self) -> str:
         if self.kept_since is None:

@@ -3,11 +3,11 @@ several, the second one returns at once."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import blocks_of, statements_of
+from archlint.syntax.walk import blocks_of, is_none, statements_of
 
 _Leaving = (facts.Return, facts.Raise, facts.Jump)
 
@@ -39,23 +39,61 @@ def _is_taken_back(block: Sequence[facts.Stmt], attribute: str, wanted: bool) ->
 
 def returns_while_busy(body: Sequence[facts.Stmt]) -> bool:
     """Whether a callback returns at once while another run of it has set a flag: ``if self.busy: return response``,
-    and ``self.busy = True`` further down."""
-    for at, statement in enumerate(body):
+    and ``self.busy = True`` further down; or has a lock for which it does not wait."""
+    statements = [*_in_a_row(body)]
+    for at, statement in enumerate(statements):
         match statement:
-            case facts.If(test=facts.Attribute(attr=flag), body=[*_, facts.Return()]):
-                if any(_sets(later, flag) for later in body[at + 1 :]):
+            case facts.If(test=test, body=[*_, facts.Return()]):
+                if any(_is_lock_of_another(part) for part in _any_of(test)):
+                    return True
+                if any(_makes_true(later, part) for part in _any_of(test) for later in statements[at + 1 :]):
                     return True
     return False
 
 
-def _sets(statement: facts.Stmt, flag: str) -> bool:
-    """Whether a statement is ``self.busy = True``, or the ``try`` or ``with`` that begins with it."""
-    match statement:
-        case facts.Assign(targets=[facts.Attribute(attr=attribute)], value=value):
-            return attribute == flag and value.truth is True
-        case facts.Try(body=[first, *_]) | facts.With(body=[first, *_]):
-            return _sets(first, flag)
+def _in_a_row(body: Sequence[facts.Stmt]) -> Iterator[facts.Stmt]:
+    """The statements of a block, with those of a ``with`` or a ``try`` in it."""
+    for statement in body:
+        match statement:
+            case facts.With(body=inner) | facts.Try(body=inner):
+                yield from _in_a_row(inner)
+            case _:
+                yield statement
+
+
+def _any_of(test: facts.Expr) -> Sequence[facts.Expr]:
+    """The conditions of which one suffices."""
+    return test.values if isinstance(test, facts.Boolean) and test.op == "or" else [test]
+
+
+def _is_lock_of_another(test: facts.Expr) -> bool:
+    """``not self.lock.acquire(blocking=False)``"""
+    match test:
+        case facts.Unary(op="not", operand=facts.Call(func=facts.Attribute(attr="acquire"), args=[first, *_])):
+            return first.keyword in (None, "blocking") and first.value.truth is False
     return False
+
+
+def _makes_true(statement: facts.Stmt, test: facts.Expr) -> bool:
+    """Whether a statement sets an attribute to what a test asks for."""
+    if not isinstance(statement, facts.Assign):
+        return False
+    value, names = statement.value, {target.dotted for target in statement.targets if target.attribute}
+    match test:
+        case facts.Attribute():
+            return test.dotted in names and value.truth is True
+        case facts.Compare(left=facts.Attribute() as asked, ops=["==" | "is"], comparators=[wanted]):
+            return asked.dotted in names and _are_alike(value, wanted)
+        case facts.Compare(left=facts.Attribute() as asked, ops=["!=" | "is not"], comparators=[unwanted]):
+            return asked.dotted in names and not _are_alike(value, unwanted) and not is_none(value)
+    return False
+
+
+def _are_alike(value: facts.Expr, other: facts.Expr) -> bool:
+    """Whether both are the same literal or the same name, ``State.BUSY``."""
+    if isinstance(value, facts.Literal) and isinstance(other, facts.Literal):
+        return value.value == other.value
+    return bool(value.dotted) and value.dotted == other.dotted
 
 
 __all__ = ["returns_while_busy", "waits_for_busy_flag"]

@@ -6,6 +6,7 @@ A rule about limits is silent there: a limit would always expire.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import creations_of
@@ -79,8 +80,11 @@ def nested_spins(system: System, distros: Sequence[str]) -> frozenset[Place]:
 
 def _verdict(wait: Wait, distros: Sequence[str]) -> Verdict:
     if wait.on_global_executor:
-        return judge_spin(wait.call, wait.client.node, wait.client, wait.program, wait.limited, distros, True)
-    return judge_wait(wait.kind, wait.call, wait.client, wait.program, wait.limited, distros)
+        node = wait.client.node
+        verdict = judge_spin(wait.call, node, wait.client, wait.program, wait.limited, distros, True)
+    else:
+        verdict = judge_wait(wait.kind, wait.call, wait.client, wait.program, wait.limited, distros)
+    return replace(verdict, goes_round=wait.goes_round)
 
 
 def is_spin(wait: Wait) -> bool:

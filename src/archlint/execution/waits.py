@@ -21,7 +21,7 @@ from archlint.model.given import Constant, Future, Object
 from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import called_name, calls_in, given_to, statements_of
+from archlint.syntax.walk import called_name, calls_in, given_to, is_none, statements_of
 
 if TYPE_CHECKING:
     from archlint.execution.blocking import Form
@@ -69,6 +69,8 @@ class Wait:
     bounded: bool = False
     on_global_executor: bool = False
     """Whether the loop around it calls ``rclpy.spin_once(node)``, which knows nothing of another executor."""
+    goes_round: bool = False
+    """Whether it is a loop of spins with a timeout each."""
 
 
 @once
@@ -83,7 +85,8 @@ def waits(system: System) -> list[Wait]:
                 limited = any(has_limit(call, name) for name in _LIMITS) or (call.api == DONE and gives_up(code, call))
                 bounded = limited or any(_may_end(argument(call, name)) for name in _LIMITS)
                 globally = kind == SPIN and call.api == DONE and _spins_on_global_executor(code, call)
-                all_waits.append(Wait(kind, call, clients[0], program, limited, bounded, globally))
+                goes_round = kind == SPIN and call.api == DONE and _spins_for_moments(code, call)
+                all_waits.append(Wait(kind, call, clients[0], program, limited, bounded, globally, goes_round))
     return all_waits
 
 
@@ -95,9 +98,19 @@ def _may_end(limit: Given | None) -> bool:
     )
 
 
-def _spins_on_global_executor(code: SourceCode, call: ApiCall) -> bool:
+def _spins_in_loop(code: SourceCode, call: ApiCall) -> list[facts.Call]:
     loop = loop_until_done(code, call)
-    spins = () if loop is None else [each for each in calls_in(loop) if called_name(each).startswith("spin")]
+    return [] if loop is None else [each for each in calls_in(loop) if called_name(each).startswith("spin")]
+
+
+def _spins_for_moments(code: SourceCode, call: ApiCall) -> bool:
+    """Whether all spins of a loop have a timeout, as far as it stands there."""
+    limits = [given_to(each, "timeout_sec", None) for each in _spins_in_loop(code, call)]
+    return bool(limits) and all(limit is not None and not is_none(limit) for limit in limits)
+
+
+def _spins_on_global_executor(code: SourceCode, call: ApiCall) -> bool:
+    spins = _spins_in_loop(code, call)
     return bool(spins) and all(
         each.func.dotted.startswith(("rclpy.spin", "spin")) and given_to(each, "executor", None) is None
         for each in spins
