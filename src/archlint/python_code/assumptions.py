@@ -51,6 +51,16 @@ def variables(body: Sequence[facts.Stmt]) -> frozenset[str]:
     return frozenset(name for name, times in asked.items() if times > 1)
 
 
+def chained(body: Sequence[facts.Stmt]) -> frozenset[str]:
+    """The variables for which an ``if`` asks, and its ``elif`` again."""
+    names: set[str] = set()
+    for statement in statements_of(body):
+        match statement:
+            case facts.If(test=test, orelse=[facts.If(test=other)]):
+                names |= {dotted(part) for part in parts_of(test)} & {dotted(part) for part in parts_of(other)}
+    return frozenset(names - {""})
+
+
 def after(known: Known, fact: facts.Base, followed: frozenset[str]) -> Known:
     """What is known after a statement."""
     match fact:

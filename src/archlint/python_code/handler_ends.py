@@ -9,9 +9,10 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.finding import Place
 from archlint.model import Role
 from archlint.python_code.annotations import interface_of
-from archlint.python_code.assumptions import MOST, Known, after, asked, proven, variables, within
+from archlint.python_code.assumptions import MOST, Known, after, asked, chained, proven, variables, within
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.given_arguments import given_arguments
+from archlint.python_code.never_empty import is_never_empty
 from archlint.python_code.other_responses import other_response
 from archlint.python_code.raising_helpers import NeverReturns, never_returns
 from archlint.records import dataclass
@@ -97,6 +98,16 @@ def _ends_with_the_first(function: facts.Function | None) -> bool:
     return False
 
 
+def _ends_with_a_sure_round(system: System, callback: Callback, function: facts.Function) -> bool:
+    """Whether a function ends with a loop over what is never empty, and returns in its first round."""
+    code = source_code(system).facts_at(callback.file)
+    match function.body:
+        case [*_, facts.For(iterable=over, body=body, orelse=[])] if code is not None:
+            jumps = any(jump.kind != "pass" for jump in statements_of(body, facts.Jump))
+            return not jumps and _returns_at_the_end(body) and is_never_empty(over, code)
+    return False
+
+
 def _returns_at_the_end(body: Sequence[facts.Stmt]) -> bool:
     """Whether what stands last in a block returns, in each of its branches."""
     match body:
@@ -132,7 +143,7 @@ def ends_of(
             yield HandlerEnd(callback, place, "return", gives)
         elif other := other_response(system, callback, end.value):
             yield HandlerEnd(callback, place, "return", f"a response of {other[0]}", serves=other[1])
-    if ends.falls - {None}:
+    if ends.falls - {None} and not _ends_with_a_sure_round(system, callback, function):
         yield HandlerEnd(callback, callback.place, "end")
 
 
@@ -167,8 +178,8 @@ def _ends_as_created(
     }
     outer = asked(conditions) - own
     # What is asked twice has been answered the first time: ``if request.on:`` and ``elif not request.on:``.
-    twice = variables(function.body)
-    followed = outer | twice if len(twice) <= MOST else outer
+    most = (names for names in (variables(function.body), chained(function.body)) if len(names) <= MOST)
+    followed = outer | next(most, frozenset[str]())
 
     def step(known: Known | None, fact: facts.Base) -> Known | None:
         return None if known is None or raises(fact) else after(known, fact, followed)
