@@ -382,8 +382,9 @@ def test_a_package_that_may_be_elsewhere(said, line: str, files: dict[str, str])
 @pytest.mark.parametrize(
     ("line", "meant"),
     [
-        ("from geogrpahiclib.geodesic import Geodesic", "geographiclib.geodesic"),
-        ("import matplotib.pyplot as plt", "matplotlib.pyplot"),
+        ("from geogrpahiclib.geodesic import Geodesic\nimport geographiclib", "geographiclib.geodesic"),
+        ("import matplotib.pyplot as plt\nimport matplotlib", "matplotlib.pyplot"),
+        ("import sokcetserver", "socketserver"),
         ("import rlcpy", "rclpy"),
         ("import robto.camera", "robot.camera"),
     ],
@@ -393,6 +394,12 @@ def test_a_module_whose_name_is_a_known_one_but_for_a_slip(
 ) -> None:
     (finding,) = said(line)
     assert finding.message.endswith(f": the import fails; did you mean {meant}?")
+
+
+def test_a_near_name_that_nothing_here_speaks_of(said: Callable[..., list[Finding]]) -> None:
+    """It is one of somebody else's packages, which this workspace neither declares nor imports."""
+    for line in ("from geogrpahiclib.geodesic import Geodesic", "import matplotib.pyplot", "import sensor_msg.msg"):
+        assert said(line) == []
 
 
 def test_a_slip_in_two_imports_is_one_finding(findings: Callable[..., list[Finding]]) -> None:
@@ -548,3 +555,13 @@ def test_a_script_that_people_are_told_to_run_finds_what_lies_beside_it(
     assert said("import camera", **{document: text}) == []
     (finding,) = said("import camera", **{document: text.replace("talker", "listener")})
     assert finding.place.line == 3
+
+
+def test_names_of_a_file_that_python_cannot_read(findings: Callable[..., list[Finding]]) -> None:
+    """LNT002 says why: whoever mends that file has the class, too."""
+    talker = TALKER.format(line="from robot.camera import Camera, WIDTH\nfrom robot.lens import *")
+    files = {"setup.py": SETUP, "robot/__init__.py": "", "robot/talker.py": talker, "robot/lens.py": ""}
+    broken = "class Camera:\n    def show(self):\n        print 'here'\n"
+    assert [told.code for told in findings("API006", **files, **{"robot/camera.py": broken})] == ["LNT002"]
+    whole = broken.replace("Camera", "Lens").replace("print 'here'", "print('here')")
+    assert [told.code for told in findings("API006", **files, **{"robot/camera.py": whole})] == ["API006", "API006"]

@@ -26,6 +26,7 @@ from archlint.execution.deadlock import judge_spin, threads_of
 from archlint.execution.spin_flags import is_while_nobody_spins
 from archlint.execution.spins import KEPT_IN_HUMBLE_SINCE, is_dropped_in_humble, is_left_to, is_spin_call, spun_node
 from archlint.execution.stuck import nested_spins
+from archlint.execution.waits import name_of_future
 from archlint.finding import Finding, Severity
 from archlint.model import Role
 
@@ -93,7 +94,7 @@ def _instead_of_spinning(
     if is_left_to(call, spun, program):
         return OWN_EXECUTOR.format(call.api.rpartition(".")[2])
     if argument(call, "future") is not None:
-        return when_done(call.context, call, client, source_code(system).call_at(call.place))
+        return when_done(call.context, call, client, name_of_future(source_code(system), call))
     several = threads_of(call.context.node, program) == blocking.SEVERAL
     if call.looped and call.context.role == Role.EXECUTE:
         return _PAUSE if several else f"spin the node with a MultiThreadedExecutor, and {_PAUSE}"

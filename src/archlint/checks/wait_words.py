@@ -17,14 +17,12 @@ from archlint.execution.waits import BLOCKING_CALLS
 from archlint.finding import Related
 from archlint.model import EntityKind, Role
 from archlint.model.given import Constant, Future
-from archlint.syntax.walk import given_to
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from archlint.analysis.reach import AskedKind
     from archlint.model import ApiCall, Callback, Creation
-    from archlint.syntax import facts
     from archlint.systems.model import System
 
 WAIT_FOR_SERVICE = "rclpy.client.Client.wait_for_service"
@@ -42,23 +40,17 @@ _CONTINUE_WITH_FUTURE = "give the future a done callback with add_done_callback(
 _AWAIT = "make the execute callback async, and await {}: the goal continues with the response"
 
 
-def when_done(callback: Callback, call: ApiCall, client: Creation | None, written: facts.Call | None = None) -> str:
+def when_done(callback: Callback, call: ApiCall, client: Creation | None, written: str = "") -> str:
     """How to get the answer that a call waits for without waiting.  An execute callback that returns has ended its
-    goal; it holds no callback group, so that it may await."""
+    goal; it holds no callback group, so that it may await.  ``written`` is the name of the future that it waits for."""
     of_no_request = client is None and _is_of_no_request(call)
-    future = _future_given(call, written) if of_no_request else ""
+    future = written if of_no_request else ""
     if callback.role == Role.EXECUTE:
         return _AWAIT.format(future or ("the future" if of_no_request else to_await(call, client)))
     if of_no_request:
         return _ADD_CALLBACK.format(future) if future else _CONTINUE_WITH_FUTURE
     sends = to_await(call, client)
     return CONTINUE_WHEN_DONE if sends == _CALL else _ADD_CALLBACK.format(sends)
-
-
-def _future_given(call: ApiCall, written: facts.Call | None) -> str:
-    """The variable or attribute that a spin is given as its future: the functions of rclpy take the node before it."""
-    given = None if written is None else given_to(written, "future", 1 if call.api.startswith("rclpy.spin") else 0)
-    return "" if given is None else given.dotted
 
 
 def _is_of_no_request(call: ApiCall) -> bool:

@@ -139,6 +139,14 @@ def _waits_of(code: SourceCode, call: ApiCall, signals: _Signals) -> Iterator[tu
             yield CALL, (client,)
 
 
+def name_of_future(code: SourceCode, call: ApiCall) -> str:
+    """The variable or attribute that a spin is given as its future: the functions of rclpy take the node before it."""
+    written = code.call_at(call.place)
+    at = 1 if call.api.startswith("rclpy.spin") else 0
+    given = None if written is None else given_to(written, "future", at)
+    return "" if given is None else given.dotted
+
+
 def other_arm_only_sends(code: SourceCode, call: ApiCall) -> bool:
     """Whether the other arm of an ``if`` around a wait sends without waiting: then the wait is there for those who want
     to."""

@@ -68,7 +68,19 @@ def near_module(workspace: WorkspaceIndex, file: SourceFile, module: str) -> str
         return None
     near = {*_one_letter_off(top), *(own for own in _of_workspace(workspace) if distance(top, own, 1) == 1)}
     slips = [other for other in sorted(near) if _is_slip(top, other)]
-    return f"{slips[0]}{dot}{rest}" if len(slips) == 1 else None
+    return f"{slips[0]}{dot}{rest}" if len(slips) == 1 and _is_at_hand(workspace, slips[0]) else None
+
+
+def _is_at_hand(workspace: WorkspaceIndex, top: str) -> bool:
+    """Whether anything says that a workspace has a module, or wants it: it comes with Python or ROS, is one of its own,
+    or a package.xml or another import names it.  Any other is of somebody else, whose name is near by chance."""
+    if top in sys.stdlib_module_names | {"rclpy"} or top in _of_workspace(workspace):
+        return True
+    if top in modules_imported(workspace):
+        return True
+    names = {top, python_modules.key_of(top)} - {None}
+    packages_here = workspace.packages.values()
+    return any(dependency.name in names for package in packages_here for dependency in package.dependencies)
 
 
 _NO_MODULES = frozenset({"ament_cmake", "ament_index", "ament_index_cpp", "ament_python"})

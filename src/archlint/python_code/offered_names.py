@@ -85,6 +85,8 @@ def offers(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     own = _own_names(workspace, file)
     if code is None or own is None or may_make_names(code) or "__getattr__" in own:
         return True
+    if any(not problem.partly for problem in code.problems):
+        return True  # LNT002 says what keeps Python from reading it
     brought = starred(workspace, file, code)
     return brought is None or brought.has(name) or name in own
 
