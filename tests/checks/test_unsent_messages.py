@@ -52,7 +52,7 @@ def test_a_message_that_only_computes(judge: Judge, line: str) -> None:
 def test_humble_refuses_it_all_the_same(judge: Judge, line: str) -> None:
     (judge.folder / "Dockerfile").write_text("FROM ros:humble\n", encoding="utf-8")
     [finding] = judge("MSG003", NODE.format(mark="  # here", line=line))
-    assert finding.message.endswith("not the int 1: this line raises AssertionError")
+    assert finding.message.endswith("not the int 1: this line raises AssertionError on humble")
 
 
 def test_two_distributions_of_which_one_refuses_it(judge: Judge) -> None:

@@ -28,8 +28,6 @@ if TYPE_CHECKING:
 _CHECKED = "humble"
 """The one distribution whose messages check what they are given."""
 _RAISES = "this line raises AssertionError"
-_FAILS = frozenset({_RAISES, "this line fails"})
-"""What comes of it where nothing behind the line runs, whichever the distribution."""
 _BEHIND = "behind "
 _COMES_OF_IT = {
     ValueEffect.SET: "this line fails",
@@ -46,14 +44,14 @@ def field_value_type(system: System, options: Options) -> Iterator[Finding]:
     noted = judged_notes(system, lambda program: program.wrong_values)
     values = {(value.place, value.name): value for value in noted}
     distros = distros_to_judge(system.workspace, options.distros)
+    where = f" on {_CHECKED}" if len(options.distros) > 1 else ""
     failing: list[Place] = []
     for key in sorted(values):
-        value, consequence = values[key], _consequence(system, values[key], distros)
+        value, consequence = values[key], _consequence(system, values[key], distros, where)
         if consequence and not is_told_where_it_is_sent(system, value):
-            first = next(
-                (place for place in failing if is_straight_behind(source_code(system), place, value.place)), None
-            )
-            if first is None and consequence in _FAILS:
+            code = source_code(system)
+            first = next((place for place in failing if is_straight_behind(code, place, value.place)), None)
+            if first is None and (value.effect is ValueEffect.SET or (value.checked and {*distros} == {_CHECKED})):
                 failing.append(value.place)
             yield from unless_uncalled(system, _finding(value, consequence, first))
     for row in bytes_compared(system):
@@ -61,17 +59,18 @@ def field_value_type(system: System, options: Options) -> Iterator[Finding]:
     yield from operations_on_fields(system)
 
 
-def _consequence(system: System, value: WrongValue, distros: Sequence[str]) -> str:
-    """What comes of it, in words; empty where it works in a distribution that the workspace may be meant for."""
+def _consequence(system: System, value: WrongValue, distros: Sequence[str], where: str) -> str:
+    """What comes of it, in words; empty where it works in a distribution that the workspace may be meant for.
+    ``where`` says that only one of several distributions checks a field."""
     checked, others = _CHECKED in distros and value.checked, any(distro != _CHECKED for distro in distros)
     unsent = value.effect is not ValueEffect.SET and is_never_sent(system.workspace, value.place)
     if value.effect is ValueEffect.NONE or unsent:
         needed = is_for_humble_alone if unsent else is_for_humble
         works = others and not needed(system.workspace)
-        return f"{_RAISES}{f' on {_CHECKED}' if others else ''}" if checked and not works else ""
+        return f"{_RAISES}{where}" if checked and not works else ""
     asserted = checked and not others
     if asserted or value.effect is ValueEffect.SET:
-        return _RAISES if asserted and value.name else "this line fails"
+        return f"{_RAISES}{where}" if asserted and value.name else "this line fails"
     return _COMES_OF_IT[value.effect] + (f" (on {_CHECKED} {_RAISES})" if checked else "")
 
 
