@@ -132,3 +132,44 @@ def test_lines_behind_one_that_fails_when_it_is_sent_are_findings_of_their_own(j
     (judge.folder / "Dockerfile").write_text("FROM ros:jazzy\n", encoding="utf-8")
     text = ROW.format(first="twist = Twist(); twist.linear.x = 1; self.publisher.publish(twist)", other="  # here")
     assert len(judge("MSG003", text)) == 3
+
+
+UNTIL = """
+import rclpy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from rclpy.node import Node
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.speed = 5
+        self.publisher = self.create_publisher(Twist, 'cmd_vel', 10)
+        self.create_subscription(Odometry, 'odom', self.on_odom, 10)
+        self.create_timer(0.1, self.drive)
+
+    def on_odom(self, odom):
+        self.speed = odom.twist.twist.linear.x
+
+    def drive(self):
+        twist = Twist()
+        twist.linear.x = {value}
+        self.publisher.publish(twist)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Robot())
+"""
+
+
+@pytest.mark.parametrize("value", ["self.speed", "max(self.speed, 0.5)", "min(0.5, self.speed)"])
+def test_what_an_attribute_holds_until_a_callback_has_set_it(judge: Judge, value: str) -> None:
+    """Whether that is ever sent depends on what comes first."""
+    assert not judge("MSG003", UNTIL.format(value=value))
+
+
+def test_a_whole_number_that_the_callback_itself_gives(judge: Judge) -> None:
+    [finding] = judge("MSG003", UNTIL.format(value="max(self.speed, 2)  # here"))
+    assert "not the int 2 that it gets in one branch" in finding.message

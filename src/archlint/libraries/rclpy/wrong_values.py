@@ -31,8 +31,10 @@ from archlint.libraries.values import EntityValue, FutureValue, MessageValue, No
 from archlint.model import ValueEffect
 from archlint.records import dataclass
 from archlint.string_enum import StringEnum
+from archlint.syntax import facts
 from archlint.syntax.interface_values import INTEGER_RANGES
 from archlint.syntax.interfaces import FieldType
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
@@ -103,20 +105,30 @@ def misfit(run: Run, kind: FieldType, value: Value) -> Misfit | None:
     misfits = [_misfit(run, kind, option) for option in options]
     if misfits and all(misfits):
         return misfits[0]
-    return _on_some_paths(kind, value, options, misfits)
+    return _on_some_paths(run, kind, value, options, misfits)
 
 
 def _on_some_paths(
-    kind: FieldType, value: Value, options: Sequence[Value], misfits: Sequence[Misfit | None]
+    run: Run, kind: FieldType, value: Value, options: Sequence[Value], misfits: Sequence[Misfit | None]
 ) -> Misfit | None:
-    """A whole number among others that a float field gets in one branch of the code: ``speed = 1 if near else 0.5``."""
+    """A whole number among others that a float field gets in one branch of the code: ``speed = 1 if near else 0.5``.
+    What an attribute holds until another callback has set it is no such number: nobody knows whether it is used."""
     if kind.array or kind.name not in _FLOATS or value.why_open is None:
         return None
     for option, wrong in zip(options, misfits, strict=True):
-        whole = isinstance(option, Known) and type(option.value) is int and not option.via
-        if whole and wrong is not None and wrong.effect is ValueEffect.CHANGED:
+        number = option.value if isinstance(option, Known) and not option.via else None
+        if wrong is None or wrong.effect is not ValueEffect.CHANGED:
+            continue
+        if type(number) is int and _is_written_here(run, number):
             return replace(wrong, given=f"{wrong.given} that it gets in one branch")
     return None
+
+
+def _is_written_here(run: Run, number: int) -> bool:
+    """Whether a number stands in one of the functions that are running."""
+    functions = (activation.function.ir for activation in run.activations if activation.function is not None)
+    literals = (part for function in functions for part in everything_in(function, facts.Literal))
+    return any(literal.value in (number, -number) for literal in literals)
 
 
 def _misfit(run: Run, kind: FieldType, value: Value) -> Misfit | None:
