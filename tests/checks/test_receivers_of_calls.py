@@ -82,6 +82,16 @@ def test_a_spin_without_the_node_that_is_there(judge: Judge) -> None:
     assert helps == ["write spin_once(self, timeout_sec=…)", "write spin(robot)"]
 
 
+def test_a_spin_for_a_future_in_place_of_the_node(judge: Judge) -> None:
+    lines = "answer = robot.create_future()\n    rclpy.spin_until_future_complete({})  # here"
+    text = SPINS.format(in_method="pass", made="robot = Robot()", in_main=lines.format("answer, timeout_sec=2.0"))
+    [finding] = judge("API001", text)
+    assert finding.help == "write spin_until_future_complete(robot, answer, timeout_sec=…)"
+    text = SPINS.format(in_method="pass", made="robot = Robot()", in_main=lines.format("robot"))
+    [finding] = judge("API001", text)
+    assert finding.help == "write spin_until_future_complete(node, future)"
+
+
 def test_a_spin_where_no_node_has_a_name(judge: Judge) -> None:
     text = SPINS.format(in_method="pass", made="robot, other = Robot(), Robot()", in_main="rclpy.spin()  # here")
     [finding] = judge("API001", text)

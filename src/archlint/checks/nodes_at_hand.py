@@ -14,13 +14,20 @@ if TYPE_CHECKING:
 
 
 def cure_of_spin(system: System, name: str, call: RefusedCall) -> str:
-    """What to write for ``rclpy.spin_once(timeout_sec=0.1)``; empty for other mistakes."""
-    if call.misuse is not Misuse.MISSING or call.parameters != ("node",) or not call.api.startswith("rclpy.spin"):
+    """What to write for ``rclpy.spin_once(timeout_sec=0.1)``, and for a spin that is given its future in place of the
+    node; empty for other mistakes."""
+    if call.misuse is not Misuse.MISSING or not call.api.startswith("rclpy.spin"):
+        return ""
+    if call.parameters not in (("node",), ("future",)):
         return ""
     written, cls = source_code(system).call_at(call.place), enclosing_class(system.workspace, call.place)
     node = "self" if cls is not None and node_around(system, call) == "self" else _variable_of_node(system, call)
-    given = () if written is None else (argument.keyword for argument in written.args if argument.keyword)
-    rest = "".join(f", {keyword}=…" for keyword in given)
+    arguments = () if written is None else written.args
+    futures = [argument.value.dotted for argument in arguments if not argument.keyword]
+    if call.parameters == ("future",) and (len(futures) != 1 or not futures[0] or futures[0] == node):
+        return ""  # it may well be the node that is given
+    rest = "".join(f", {name}" for name in futures) if call.parameters == ("future",) else ""
+    rest += "".join(f", {argument.keyword}=…" for argument in arguments if argument.keyword)
     return f"write {name}({node}{rest})" if node else f"pass the node that it is to spin: {name}(…{rest})"
 
 
