@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint import suggestions
 from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.pinned import is_for_older_ros
+from archlint.checks.dropped_messages import dropped_message_findings
 from archlint.checks.folding import folds, package_around, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -61,6 +62,7 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
         if certain:  # once for each that delivers: the first use ends the callback
             reported.update(use.delivered.place for use in certain if use.delivered is not None)
             yield _of_one_type(system, certain[0], uses[place], keyword)
+    yield from dropped_message_findings(system)
 
 
 def _is_judged(workspace: WorkspaceIndex | None, use: FieldUse) -> bool:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.behind_ends import is_behind_an_end
 from archlint.analysis.closed_guards import is_switched_off
+from archlint.analysis.dropped_callbacks import is_in_a_dropped_callback
 from archlint.analysis.idle_helpers import is_idle_helper
 from archlint.analysis.kept_defaults import needs_another_default
 from archlint.analysis.left_over import unmade_class
@@ -26,10 +27,12 @@ def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
     """The same finding; none where the file is a program and nothing calls that method, or only such methods do, and
     none behind a flag that stays false, for a choice that is never made, or for another value of a parameter than the
     default that all calls leave it: it is left over, and nobody meets the mistake.  Nor is anything said of a method
-    that a later one replaces, or of a line behind the end of its block.
+    that a later one replaces, of a callback that its synchronizer never calls, or of a line behind the end of its
+    block.
     What a library offers is for others to call, but for what a module without a word of ROS has and no file names."""
     place, workspace = diagnostic.place, system.workspace
-    if not _is_left_in_program(system, place) and not any(never(workspace, place) for never in _NEVER_REACHED):
+    never = any(each(workspace, place) for each in _NEVER_REACHED) or is_in_a_dropped_callback(system, place)
+    if not _is_left_in_program(system, place) and not never:
         yield diagnostic
 
 

@@ -80,6 +80,9 @@ class Callback:
     given_count: int | None = None
     """How many arguments a task, or the callback of a message filter, is called with; None of all others, whose role
     says it, and where it is not known."""
+    dropped: str = ""
+    """Of a synchronizer's callback: the type of a message without a header, which the synchronizer drops, so that it
+    never calls anything."""
     file: str = ""
     missing: str | None = None
     """Set when the callback names a method that does not exist: its name."""

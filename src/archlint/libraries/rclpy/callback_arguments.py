@@ -9,6 +9,7 @@ from archlint.branches import ChoiceOfArgument
 from archlint.interpreter.values import (
     External,
     Instance,
+    Known,
     ListValue,
     Unknown,
     Value,
@@ -69,6 +70,36 @@ def filters_of(run: Run, filter_: Value | None) -> tuple[Value, ...] | None:
             items = given.items(run) if isinstance(given, ListValue) and given.kind in ("list", "tuple") else None
             return items.values if items is not None and not items.open and items.values else None
     return None
+
+
+_APPROXIMATE = "message_filters.ApproximateTimeSynchronizer"
+_ALLOWS = "allow_headerless"
+
+
+def dropped_by(run: Run, call: ApiUse) -> str:
+    """The type of a message that a synchronizer is to take by the time in its header, and that has none; empty where
+    there is none for certain, or where the synchronizer may take the time of arrival instead.
+
+    Source: message_filters/__init__.py, ``ApproximateTimeSynchronizer.add``.
+    """
+    match call.receiver:
+        case Instance(cls=External(path=path), arguments=arguments) if path == _APPROXIMATE:
+            by_position = any(name.isdigit() and int(name) > 2 for name in arguments)
+            allows = arguments.get(_ALLOWS)
+            if by_position or (allows is not None and allows != Known(False)):  # a parameter may set it
+                return ""
+            if _ALLOWS in run.activation.module.facts.names:  # set on the synchronizer later on
+                return ""
+            for each in filters_of(run, call.receiver) or ():
+                message = _from_filter(run, each)
+                if isinstance(message, MessageValue) and _has_no_header(run, message.type):
+                    return message.type
+    return ""
+
+
+def _has_no_header(run: Run, type_: str) -> bool:
+    section = None if run.interfaces is None else run.interfaces.section(type_, "")
+    return section is not None and section.field("header") is None
 
 
 def _from_filter(run: Run, filter_: Value) -> Value:

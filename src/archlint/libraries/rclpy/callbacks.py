@@ -19,7 +19,7 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.rclpy import messages
 from archlint.libraries.rclpy.callables import describe, without_partials
-from archlint.libraries.rclpy.callback_arguments import default_arguments, filters_of
+from archlint.libraries.rclpy.callback_arguments import default_arguments, dropped_by, filters_of
 from archlint.libraries.state import Pending
 
 if TYPE_CHECKING:
@@ -70,6 +70,7 @@ def register(
         callback.creation = creation
         callback.group = None if role in _IN_NO_GROUP else group
         callback.given_count = _given_by_filters(run, call) if role == model.Role.FILTER else None
+        callback.dropped = dropped_by(run, call) if role == model.Role.FILTER else ""
         callback.registered = run.place(call.expression.span) if call.expression is not None else None
         key = (role, callback.registered, callback.name, callback.place, id(creation), _receiver(option))
         if not _is_new(run, key, callback, (option, call.receiver, *(arguments or ()))):
@@ -77,7 +78,7 @@ def register(
         run.program.callbacks.append(callback)
         if node is not None:
             node.callbacks.append(callback)
-        if callback.function is not None:
+        if callback.function is not None and not callback.dropped:
             given = arguments if arguments is not None else default_arguments(run, role, creation, call)
             if creation is not None and not _is_one_of_several(value, creation):
                 messages.deliver(run, given, creation)
