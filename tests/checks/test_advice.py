@@ -128,12 +128,20 @@ def test_who_waits_for_a_transform_has_sent_no_request(judge: Judge):
     )
     [found] = judge("EXE001", program("self.create_timer(1.0, lambda: self.execute(None))", body))
     assert found.help == "transform.add_done_callback(…), return, and continue there"
+    assert "may deadlock" in found.message
+    [limited] = judge("EXE001", program("self.create_timer(1.0, lambda: self.execute(None))", _LIMITED))
+    assert "may time out" in limited.message
+    assert "deadlock" not in limited.message
     [unnamed] = judge("EXE001", program("self.create_timer(1.0, lambda: self.execute(None))", _UNNAMED))
     assert (unnamed.help or "").startswith("give the future a done callback with add_done_callback(…)")
     [goal] = judge("EXE001", program(ACTION, body))
     assert goal.help == "make the execute callback async, and await transform: the goal continues with the response"
 
 
+_LIMITED = (
+    "transform = self.buffer.wait_for_transform_async('map', 'base', rclpy.time.Time())\n"
+    "            rclpy.spin_until_future_complete(self, transform, timeout_sec=1.0)  # here"
+)
 _UNNAMED = (
     "rclpy.spin_until_future_complete(self, "
     "self.buffer.wait_for_transform_async('map', 'base', rclpy.time.Time()))  # here"

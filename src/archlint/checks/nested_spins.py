@@ -54,7 +54,7 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
     client = clients[0] if clients else None
     spun = spun_node(call, program)
     limited = has_limit(call, "timeout_sec")
-    verdict = judge_spin(call, spun, client, program, limited, options.distros)
+    verdict = replace(judge_spin(call, spun, client, program, limited, options.distros), limited=limited)
     if verdict.safe and set(verdict.outcomes.values()) == {blocking.Outcome.FINE} and spun is not call.context.node:
         return
     if is_dropped_in_humble(call, spun, program):

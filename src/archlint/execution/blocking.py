@@ -194,6 +194,8 @@ class Verdict:
     """A distribution, and the rclpy from which on the call no longer loses its node there."""
     goes_round: bool = False
     """Whether it is a loop of spins, all of which have a timeout: nothing stands still, but the loop never ends."""
+    limited: bool = False
+    """Whether a timeout ends the wait: at worst it passes in vain."""
 
     @property
     def safe(self) -> bool:
@@ -221,6 +223,8 @@ class Verdict:
     def words(self) -> str:
         """``deadlocks``; where the distributions and their releases differ, which does what."""
         words = outcome_words(self.outcomes) + self._before_words() + self._lost_words()
+        if self.limited:
+            words = words.replace(Outcome.UNKNOWN, "may time out")
         return words.replace(Outcome.HANGS, "never ends") if self.goes_round else words
 
     def _lost_words(self) -> str:

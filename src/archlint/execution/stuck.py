@@ -84,7 +84,7 @@ def _verdict(wait: Wait, distros: Sequence[str]) -> Verdict:
         verdict = judge_spin(wait.call, node, wait.client, wait.program, wait.limited, distros, True)
     else:
         verdict = judge_wait(wait.kind, wait.call, wait.client, wait.program, wait.limited, distros)
-    return replace(verdict, goes_round=wait.goes_round)
+    return replace(verdict, goes_round=wait.goes_round, limited=wait.limited)
 
 
 def is_spin(wait: Wait) -> bool:
