@@ -532,7 +532,7 @@ def test_what_nobody_can_run_fails_nowhere(tmp_path, monkeypatch, files, told: i
     [
         ("from std_msgs import Bool\n", ["API006"]),
         ("from std_msgs.msg import Bool\n", ["API005"]),
-        ("def later():\n    from std_msgs import Bool\n\n\n", ["API006", "API005"]),
+        ("def later():\n    from std_msgs import Bool\n\n\nlater()\n", ["API006", "API005"]),
     ],
     ids=["it stops there", "it starts", "in a function"],
 )
@@ -857,6 +857,7 @@ def test_a_trial_may_spin_until_its_runner_ends_it(tmp_path, monkeypatch, path: 
 def test_a_trial_may_wait_until_its_runner_ends_it(tmp_path, monkeypatch, path: str, count: int):
     monkeypatch.chdir(tmp_path)
     waits = SPINS.replace("    future =", "    node.create_client(Trigger, 'ready').wait_for_service()\n    future =")
+    waits += "    rclpy.spin(node)\n"
     texts = {path: waits, "other/driver.py": "def main():\n    pass\n", "archlint.toml": 'select = ["TMO001"]\n'}
     for name, text in texts.items():
         (tmp_path / name).parent.mkdir(exist_ok=True)

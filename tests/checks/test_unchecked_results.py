@@ -378,7 +378,7 @@ def test_what_a_callback_comes_to_is_told_once_whoever_else_does(judge: Judge):
 
 def test_where_a_callback_may_come_nobody_is_told_to_spin(judge: Judge):
     [uncalled] = judge(
-        "TMO006", sent("pass", "keep(robot)").replace("from somewhere import Answer", "from somewhere import keep")
+        "TMO006", sent("pass", "keep(robot.ask)").replace("from somewhere import Answer", "from somewhere import keep")
     )
     assert uncalled.help.startswith("read it in a done callback")
     [of_main] = judge("TMO006", sent("pass", "print(robot.ask())"))

@@ -32,9 +32,9 @@ from archlint.engine.merging import folded, merged
 from archlint.engine.passed_over import passed_over
 from archlint.engine.repeats import once_for_copied_lines
 from archlint.engine.request import NothingToDo, Request
-from archlint.engine.second_lines import without_second_lines
 from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.engine.summaries_ahead import SummariesAhead
+from archlint.engine.unreached import of_lines_that_run
 from archlint.engine.unread_data import is_manifest_to_fill, is_to_be_filled_in, unread_data, with_its_reason
 from archlint.engine.unused_files import apart, count_of_files, unused_files
 from archlint.engine.vendored_packages import without_vendored
@@ -163,7 +163,7 @@ def _judged(
     ran.append(_ran(request, systems))
     stale = suppressions.stale(outcome.unused, ran[-1])
     about = _wanted([*stale, *suppressions.without_reason(by_file)], request.settings, workspace)
-    kept = [*without_second_lines(index, outcome.kept), *suppressions.apply(about, by_file).kept]
+    kept = [*of_lines_that_run(index, outcome.kept), *suppressions.apply(about, by_file).kept]
     sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
     own, vendored = without_vendored(index, sifted.new, request)
     new, hidden = apart(index, own, unused)
