@@ -124,6 +124,7 @@ PURE = {
     "engine/remote.py": {"identity"},
     "libraries/api_signatures.py": {"_table"},
     "libraries/module_names.py": {"_table"},
+    "libraries/python_names.py": {"_table"},
     "ros/bridged_types.py": {"pairs"},
     "ros/external_nodes.py": {"well_known"},
     "ros/launch_arguments.py": {"well_known"},

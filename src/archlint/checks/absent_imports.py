@@ -7,12 +7,15 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.checks.registry import finding
+from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding
+from archlint.libraries import python_names
 from archlint.libraries.absent_names import instead_of
 from archlint.libraries.api_signatures import attributes_of
 from archlint.libraries.module_names import modules_with, near_module, near_name
 from archlint.python_code.absent_imports import Absent, absent_imports
-from archlint.suggestions import meant
+from archlint.python_code.absent_in_python import absent_in_python
+from archlint.suggestions import hint, meant
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -32,6 +35,42 @@ def absent_import_findings(system: System, told: Collection[tuple[str, int]]) ->
     for file, absent in absent_imports(system.workspace):
         if (file, absent.span[0]) not in told and (absent.is_import or not _is_told_or_given(system, file, absent)):
             yield _no_module(file, absent) if absent.is_module else _no_name(file, absent)
+
+
+def absent_in_python_findings(system: System) -> Iterator[Finding]:
+    """The findings about names that modules of Python's library do not have."""
+    for file, absent in () if system.workspace is None else absent_in_python(system.workspace):
+        yield from unless_uncalled(system, _not_in_python(file, absent))
+
+
+def _not_in_python(file: str, absent: Absent) -> Finding:
+    module, name = absent.module, absent.name
+    instead = python_names.instead_of(module, name)
+    near = "" if instead else python_names.near_name(module, name)
+    error = "an ImportError" if absent.is_import else "an AttributeError"
+    return finding(
+        "API002",
+        absent.place(file),
+        f"Python's module {module} has no '{name}': this line fails with {error}" + hint(near or instead),
+        help=_cure_in_python(absent, f"{module}.{near}" if near else instead),
+        identity=(f"{module}.{name}",),
+        group=(OF_MODULE, file, f"{module}.{name}"),
+        meant=near or instead,
+        fails=not absent.in_except,
+    )
+
+
+def _cure_in_python(absent: Absent, instead: str) -> str:
+    """What to write for what a module of Python does not have, with the dotted name that is meant, if there is one."""
+    owner, _, name = instead.rpartition(".")
+    from_module, inside = python_names.is_module(owner), instead.removeprefix(f"{absent.module}.")
+    if not instead:
+        return _failing(absent)
+    if absent.is_import:
+        return f"write `from {owner} import {name}`" if from_module else f"remove it, and write {instead}"
+    if inside != instead and (owner in (absent.module, "os.path") or not from_module):
+        return f"write {absent.written}.{inside}"
+    return f"import {owner} and write {instead}" if from_module else f"write {instead}"
 
 
 def _is_told_or_given(system: System, file: str, absent: Absent) -> bool:
@@ -56,11 +95,11 @@ def _no_name(file: str, absent: Absent) -> Finding:
     )
     if of_node:
         instead = f"{name}() of a node"
-    hint = f"; it is in {moved[0]}" if moved and not instead else meant(f"'{near}'" if near and not instead else "")
+    where = f"; it is in {moved[0]}" if moved and not instead else hint("" if instead else near)
     return finding(
         "API002",
         absent.place(file),
-        f"{module} has no '{name}'{hint}",
+        f"{module} has no '{name}'{where}",
         help=f"use {instead}" if instead else _cure(absent, moved[0] if moved else module, name if moved else near),
         identity=(f"{module}.{name}",),
         group=(OF_MODULE, file, OF_NODES) if of_node else (OF_MODULE, file, f"{module}.{name}"),
@@ -115,4 +154,4 @@ def _failing(absent: Absent) -> str:
     return f"remove it, or name what there is: {what} fails when {when}"
 
 
-__all__ = ["OF_MODULE", "OF_NODES", "absent_import_findings"]
+__all__ = ["OF_MODULE", "OF_NODES", "absent_import_findings", "absent_in_python_findings"]

@@ -7,7 +7,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import judged_notes
-from archlint.checks.absent_imports import OF_MODULE, OF_NODES, absent_import_findings
+from archlint.checks.absent_imports import (
+    OF_MODULE,
+    OF_NODES,
+    absent_import_findings,
+    absent_in_python_findings,
+)
 from archlint.checks.argument_words import cure_of_keywords, keywords_meant, quoted, what_does_not_fit
 from archlint.checks.attributes import (
     LEVELS,
@@ -89,6 +94,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     yield from late_attribute_findings(system)
     yield from misused_kind_findings(system)
     yield from moved_name_findings(system)
+    yield from absent_in_python_findings(system)
     unported = functions_of_rospy(absent)
     left = {file for file in unported if is_of_ros_1(unported, file) and is_left_in_ros_1(system, file)}
     for diagnostic in absent_import_findings(system, {(call.place.file, call.place.line) for call in absent}):

@@ -17,7 +17,9 @@ _FILE = Path(__file__).with_name("tables") / "module_names.json"
 
 
 @dataclass(frozen=True)
-class _Module:
+class NamesOfModule:
+    """What a module has."""
+
     offered: frozenset[str]
     """What it defines, or takes from the modules below it."""
     imported: frozenset[str]
@@ -87,14 +89,29 @@ def _family(path: str) -> str:
 
 
 @cache
-def _table() -> dict[str, _Module | None]:
-    rows = msgspec.json.decode(_FILE.read_bytes(), type=dict[str, str | None])
+def _table() -> dict[str, NamesOfModule | None]:
+    return names_in(_FILE)
+
+
+def names_in(file: Path) -> dict[str, NamesOfModule | None]:
+    """The modules of a table; None for one whose names are not known."""
+    rows = msgspec.json.decode(file.read_bytes(), type=dict[str, str | None])
     return {path: None if names is None else _parsed(names) for path, names in rows.items()}
 
 
-def _parsed(names: str) -> _Module:
+def _parsed(names: str) -> NamesOfModule:
     offered, _, imported = names.partition(";")
-    return _Module(frozenset(offered.split()), frozenset(imported.split()))
+    return NamesOfModule(frozenset(offered.split()), frozenset(imported.split()))
 
 
-__all__ = ["is_known", "is_module", "lacks", "module_behind", "modules_with", "near_module", "near_name"]
+__all__ = [
+    "NamesOfModule",
+    "is_known",
+    "is_module",
+    "lacks",
+    "module_behind",
+    "modules_with",
+    "names_in",
+    "near_module",
+    "near_name",
+]

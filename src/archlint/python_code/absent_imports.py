@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.kept import kept_for_each_file
@@ -41,6 +41,8 @@ class Absent:
     """Whether it is called without an argument."""
     in_main: bool = False
     """Whether it runs only where the file is a program: behind ``if __name__ == '__main__':``."""
+    written: str = ""
+    """What the code calls the module of which it reads an attribute."""
 
     @property
     def is_module(self) -> bool:
@@ -66,17 +68,28 @@ def absent_imports(workspace: WorkspaceIndex) -> Iterator[tuple[str, Absent]]:
 
 @kept_for_each_file
 def _absent(file_facts: facts.Facts) -> list[Absent]:
-    code = _Code(file_facts)
+    code = ModulesInCode(file_facts, KnownNames(is_module, lacks, _is_absent))
     if not any(is_known(statement.module) for statement in code.statements):
         return []
-    code.note_names()
-    return sorted((*code.imports(), *code.attributes()), key=lambda absent: absent.span)
+    return code.absent()
 
 
-class _Code:
+@dataclass(frozen=True)
+class KnownNames:
+    """What is known of some modules."""
+
+    is_module: Callable[[str], bool]
+    lacks: Callable[[str, str], bool]
+    """Whether a module certainly has no such name."""
+    is_absent: Callable[[str], bool] = lambda _: False
+    """Whether a module is certainly not there."""
+
+
+class ModulesInCode:
     """What one file imports, and which of its names are certainly modules."""
 
-    def __init__(self, file_facts: facts.Facts) -> None:
+    def __init__(self, file_facts: facts.Facts, known: KnownNames) -> None:
+        self._known = known
         self._body = file_facts.body
         self.statements: list[_Import] = [
             *everything_in(file_facts.body, facts.Import),
@@ -94,16 +107,17 @@ class _Code:
         self._in_main = set() if main is None else {Itself(part) for part in everything_in(main.body)}
         self._bound: dict[str, set[str]] = {}
 
-    def note_names(self) -> None:
-        """Note what every name of the file is bound to."""
+    def absent(self) -> list[Absent]:
+        """What the file asks modules for in vain, in the order of the source."""
         for part in everything_in(self._body):
             self._note(part)
+        return sorted((*self._imports(), *self._attributes()), key=lambda absent: absent.span)
 
-    def imports(self) -> Iterator[Absent]:
+    def _imports(self) -> Iterator[Absent]:
         """The names and modules that imports ask for in vain."""
         for statement in self.statements:
             if Itself(statement) not in self._forgiven:
-                for module, name in _asked_for(statement):
+                for module, name in self._asked_for(statement):
                     yield Absent(
                         module,
                         name,
@@ -113,23 +127,37 @@ class _Code:
                         in_main=Itself(statement) in self._in_main,
                     )
 
-    def attributes(self) -> Iterator[Absent]:
+    def _attributes(self) -> Iterator[Absent]:
         """The attributes of modules that the code reads in vain."""
         for part in everything_in(self._body, facts.Attribute):
             module = self._module(part.value.dotted)
             left_out = Itself(part) in self._forgiven or Itself(part) in self._never_run
-            if module and lacks(module, part.attr) and not left_out:
+            if module and self._known.lacks(module, part.attr) and not left_out:
                 in_function, in_except = (Itself(part) in parts for parts in (self._in_functions, self._caught))
                 in_node = Itself(part) in self._asked_of_nodes
                 bare, in_main = (Itself(part) in parts for parts in (self._called_bare, self._in_main))
-                yield Absent(module, part.attr, False, in_function, part.span, in_except, in_node, bare, in_main)
+                written = part.value.dotted
+                yield Absent(
+                    module, part.attr, False, in_function, part.span, in_except, in_node, bare, in_main, written
+                )
+
+    def _asked_for(self, statement: _Import) -> Iterator[tuple[str, str]]:
+        """The modules that a statement imports and that are not there, and the names that modules do not have."""
+        is_absent, lacks = self._known.is_absent, self._known.lacks
+        match statement:
+            case facts.Import(module=module) if is_absent(module):
+                yield module, ""
+            case facts.ImportFrom(module=module, level=0, names=[(name, _), *_]) if is_absent(module):
+                yield module, "" if name == "*" else name
+            case facts.ImportFrom(module=module, level=0, names=names):
+                yield from ((module, name) for name, _ in names if name != "*" and lacks(module, name))
 
     def _module(self, path: str) -> str:
         """The module that a dotted name means; empty where it is none, or perhaps something else."""
         head, dot, rest = path.partition(".")
         meant = self._bound.get(head, set()) if head else set()
         module = f"{next(iter(meant))}{dot}{rest}" if len(meant) == 1 else ""
-        return module if is_module(module) else ""
+        return module if self._known.is_module(module) else ""
 
     def _note(self, part: facts.Base) -> None:
         """Note which modules a name stands for; the empty one where it stands for something else."""
@@ -160,17 +188,6 @@ def _bare_calls_in_nodes(file_facts: facts.Facts) -> Iterator[facts.Call]:
             for method in methods:
                 if method.params[0].name == "self":
                     yield from (call for call in everything_in(method.body, facts.Call) if not call.args)
-
-
-def _asked_for(statement: _Import) -> Iterator[tuple[str, str]]:
-    """The modules that a statement imports and that are not there, and the names that modules do not have."""
-    match statement:
-        case facts.Import(module=module) if _is_absent(module):
-            yield module, ""
-        case facts.ImportFrom(module=module, level=0, names=[(name, _), *_]) if _is_absent(module):
-            yield module, "" if name == "*" else name
-        case facts.ImportFrom(module=module, level=0, names=names):
-            yield from ((module, name) for name, _ in names if name != "*" and lacks(module, name))
 
 
 def _is_absent(module: str) -> bool:
@@ -209,4 +226,4 @@ def is_tolerant(handler: facts.Handler) -> bool:
     return handler.type is None or not handler.caught.isdisjoint(_TOLERANT)
 
 
-__all__ = ["Absent", "absent_imports", "forgiving", "is_tolerant"]
+__all__ = ["Absent", "KnownNames", "ModulesInCode", "absent_imports", "forgiving", "is_tolerant"]
