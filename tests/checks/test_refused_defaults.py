@@ -55,6 +55,31 @@ def test_a_default_that_a_parameter_can_have(judge: Judge, default: str) -> None
     judge("API001", NODE.format(line=f"name = 'b'; self.declare_parameter('gains', {default})", more=""))
 
 
+@pytest.mark.parametrize(
+    ("descriptor", "what", "instead"),
+    [
+        ("{'description': 'how fast'}", "a dict", "description=…"),
+        ("{'description': 'how fast', 'read_only': True}", "a dict", "description=…, read_only=…"),
+        ("'how fast'", "a text", "description=…"),
+        ("descriptor={}", "a dict", "description=…"),
+    ],
+)
+def test_what_stands_for_a_descriptor_and_is_none(judge: Judge, descriptor: str, what: str, instead: str) -> None:
+    (finding,) = judge(
+        "API001", NODE.format(line=f"self.declare_parameter('rate', 1.0, {descriptor})  # here", more="")
+    )
+    assert finding.message == (
+        f"declare_parameter() fails with a TypeError: its descriptor is a ParameterDescriptor, and not {what}"
+    )
+    assert finding.help.endswith(f"ParameterDescriptor({instead})")
+
+
+@pytest.mark.parametrize("descriptor", ["None", "described", "descriptor=ParameterDescriptor(description='how fast')"])
+def test_what_may_be_a_descriptor(judge: Judge, descriptor: str) -> None:
+    line = f"from rcl_interfaces.msg import ParameterDescriptor; self.declare_parameter('rate', 1.0, {descriptor})"
+    judge("API001", NODE.format(line=line, more=""))
+
+
 def test_a_method_of_the_workspace_by_that_name(judge: Judge) -> None:
     more = "    def declare_parameter(self, name, value):\n        print(name, value)\n"
     judge("API001", NODE.format(line="self.declare_parameter('gains', {'p': 1.0})", more=more))

@@ -11,6 +11,7 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.array_truths import ArrayTruth, array_truths
+from archlint.python_code.called_values import CalledValue, called_values
 from archlint.python_code.empty_lists import ItemOfNothing, items_of_nothing
 from archlint.python_code.formatted_texts import WrongCount, wrong_counts
 from archlint.python_code.hidden_messages import HiddenMessage, hidden_messages
@@ -52,6 +53,8 @@ def used_value_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _count(count))
         for parameter in wrong_parameters(system.workspace):
             yield from unless_uncalled(system, _parameter(parameter))
+        for called in called_values(system.workspace):
+            yield from unless_uncalled(system, _called(called))
         for default in refused_defaults(system.workspace):
             yield from unless_uncalled(system, _default(default))
         for hidden in hidden_messages(system.workspace):
@@ -107,6 +110,21 @@ def _misused(row: MisusedKind, code: str) -> Finding:
     )
 
 
+def _called(row: CalledValue) -> Finding:
+    outcome = "and the build of the package stops" if row.builds else "as it is called"
+    return finding(
+        "API001",
+        row.place,
+        f"{row.kind} stands before these parentheses: this line raises TypeError, {outcome}",
+        help=f"write a comma behind {row.kind}"
+        if row.among
+        else f"write the operator that is missing behind {row.kind}",
+        identity=("called", row.kind),
+        group=(row.place.file, "called", row.kind),
+        fails=True,
+    )
+
+
 def _nothing(row: UsedNothing) -> Finding:
     name = row.name.rpartition(".")[2]
     own = row.defined is not None
@@ -154,6 +172,8 @@ def _parameter(row: WrongParameter) -> Finding:
 
 
 def _default(row: RefusedDefault) -> Finding:
+    if row.describes:
+        return _description(row)
     cure = "write all of them alike: 1.0 beside 0.5" if row.mixed else "declare a parameter for each value in it"
     return finding(
         "API001",
@@ -162,6 +182,19 @@ def _default(row: RefusedDefault) -> Finding:
         help=cure,
         identity=("declare_parameter", row.value),
         group=(row.place.file, "declare_parameter", row.value),
+        fails=True,
+    )
+
+
+def _description(row: RefusedDefault) -> Finding:
+    return finding(
+        "API001",
+        row.place,
+        f"declare_parameter() fails with a TypeError: its descriptor is a ParameterDescriptor, and not {row.value}",
+        help="write `from rcl_interfaces.msg import ParameterDescriptor` above, and give it "
+        f"ParameterDescriptor({row.describes})",
+        identity=("declare_parameter", "descriptor"),
+        group=(row.place.file, "declare_parameter", "descriptor"),
         fails=True,
     )
 

@@ -35,6 +35,8 @@ class RefusedDefault:
     value: str
     mixed: bool
     """Whether it is a list of values of several types."""
+    describes: str = ""
+    """Where it is no default, but stands in the place of the descriptor: what that is given instead."""
 
 
 def refused_defaults(workspace: WorkspaceIndex) -> Iterator[RefusedDefault]:
@@ -44,8 +46,8 @@ def refused_defaults(workspace: WorkspaceIndex) -> Iterator[RefusedDefault]:
     if any(code is None or _defines(code) for code in read):
         return
     for path in workspace.python_files(mentioning=_DECLARES):
-        for span, value, mixed in _rows(workspace, path) or ():
-            yield RefusedDefault(Place(path, *span), value, mixed)
+        for span, value, mixed, describes in _rows(workspace, path) or ():
+            yield RefusedDefault(Place(path, *span), value, mixed, describes)
 
 
 def _defines(code: facts.Facts) -> bool:
@@ -53,17 +55,35 @@ def _defines(code: facts.Facts) -> bool:
 
 
 @kept_for_each_file
-def _rows(code: facts.Facts) -> list[tuple[facts.Span, str, bool]]:
+def _rows(code: facts.Facts) -> list[tuple[facts.Span, str, bool, str]]:
     forgiven = tried_for(code.body, {"TypeError", "Exception"})
-    rows: list[tuple[facts.Span, str, bool]] = []
+    rows: list[tuple[facts.Span, str, bool, str]] = []
     for call in everything_in(code.body, facts.Call):
         if call.func.attribute != _DECLARES or Itself[facts.Base](call) in forgiven:
             continue
-        default = None if any(argument.star for argument in call.args) else given_to(call, "value", 1)
+        if any(argument.star for argument in call.args):
+            continue
+        default, descriptor = given_to(call, "value", 1), given_to(call, "descriptor", 2)
         refused = None if default is None else _refused(default)
         if refused is not None:
-            rows.append((call.span, *refused))
+            rows.append((call.span, *refused, ""))
+        elif descriptor is not None and (described := _no_descriptor(descriptor)) is not None:
+            rows.append((call.span, described[0], False, described[1]))
     return rows
+
+
+def _no_descriptor(given: facts.Expr) -> tuple[str, str] | None:
+    """What stands in the place of a descriptor and is none, in words, and what a descriptor would be given instead;
+    rclpy looks at its class in each distribution."""
+    match given:
+        case facts.Mapping(keys=keys):
+            names = [key.text if isinstance(key, facts.Literal) else None for key in keys]
+            return "a dict", ", ".join(
+                f"{name}=…" for name in names
+            ) if None not in names and names else "description=…"
+        case facts.Literal(value=str()) | facts.FormatString():
+            return "a text", "description=…"
+    return None
 
 
 def _refused(default: facts.Expr) -> tuple[str, bool] | None:
