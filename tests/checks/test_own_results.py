@@ -16,9 +16,15 @@ def split(text):
     return text[:1], text[1:]
 
 
+class Arm:
+    def ends(self):
+        return 1, 2
+
+
 class Driver(Node):
     def __init__(self):
         super().__init__('driver')
+        self.arm = Arm()
         self.timer = self.create_timer(1.0, self.drive)
         self.callback = None
 
@@ -72,6 +78,7 @@ def _node(line: str = "pass", end: str = "pass", guard: str = "main()") -> str:
         ("x, y = self.pose()  # here", "pose() returns 3 values, and there are 2 variables for them"),
         ("(x, y, z, w) = self.pose()  # here", "pose() returns 3 values, and there are 4 variables for them"),
         ("a, b, c = split('ab')  # here", "split() returns 2 values, and there are 3 variables for them"),
+        ("a, b, c = self.arm.ends()  # here", "ends() returns 2 values, and there are 3 variables for them"),
     ],
 )
 def test_another_number_of_variables(judge: Judge, line: str, says: str):
@@ -91,6 +98,8 @@ def test_another_number_of_variables(judge: Judge, line: str, says: str):
         "x, y = self.each()",
         "x, y = self.pose()[:2]",
         "a, b = split('ab')",
+        "a, b = self.arm.ends()",
+        "a, b, c = self.arms.ends()",
         "try:\n            x, y = self.pose()\n        except ValueError:\n            pass",
     ],
 )

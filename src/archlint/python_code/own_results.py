@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
-from archlint.python_code.own_calls import FunctionInFile, function_meant, own_calls_of
+from archlint.python_code.made_objects import calls_of_objects, class_of_object
+from archlint.python_code.own_calls import FunctionInFile, function_meant, method_meant, own_calls_of
 from archlint.python_code.tried_code import tried_for
 from archlint.records import dataclass
 from archlint.syntax import facts
@@ -39,6 +40,14 @@ def wrong_lengths(workspace: WorkspaceIndex) -> Iterator[WrongLength]:
             if row is not None and returned is not None and returned[0] != row[0]:
                 place = Place(path, *row[1])
                 yield WrongLength(place, call.name, row[0], returned[0], returned[1])
+        for called in (calls_of_objects(workspace, path) or ()) if wanted else ():
+            row = wanted.get(called.call)
+            cls = None if row is None else class_of_object(workspace, path, called)
+            meant = None if cls is None else method_meant(workspace, cls, called.name)
+            returned = None if meant is None else _returned(meant)
+            if row is not None and returned is not None and returned[0] != row[0]:
+                place = Place(path, *row[1])
+                yield WrongLength(place, called.written, row[0], returned[0], returned[1])
 
 
 @kept_for_each_file
