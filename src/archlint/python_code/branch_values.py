@@ -35,7 +35,7 @@ def past_branch(
     reading = {block: name for block, name, surely in reversed(reads) if surely and block not in bound}
     later = after(bound) if reading else set[Block]()
     for chain in _chains(function.body) if reading else ():
-        blocks = [{block for statement in branch for block in graph.at(statement)} for branch in chain.branches]
+        blocks = [graph.inside(branch) for branch in chain.branches]
         if all(block not in each for block in bound for each in blocks) or _is_asked_before(function, chain):
             continue
         for branch, inside in zip(chain.branches, blocks, strict=True):

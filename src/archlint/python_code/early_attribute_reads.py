@@ -174,12 +174,15 @@ def _assigned(graph: Graph) -> dict[str, list[tuple[Block, facts.Span]]]:
     return assigned
 
 
-def assigned_at(block: Block) -> Iterator[facts.Attribute]:
+@once_for
+def assigned_at(block: Block) -> list[facts.Attribute]:
     """The attributes of ``self`` to which a block assigns something, or a function that it defines."""
-    for target in bound_at(block):
-        for each in targets_of(target.body) if isinstance(target, facts.Function) else [target]:
-            if isinstance(each, facts.Attribute) and of_self(each) is not None:
-                yield each
+    targets = [
+        each
+        for target in bound_at(block)
+        for each in (targets_of(target.body) if isinstance(target, facts.Function) else [target])
+    ]
+    return [each for each in targets if isinstance(each, facts.Attribute) and of_self(each) is not None]
 
 
 def _direct(block: Block) -> Iterator[_Early]:
@@ -235,7 +238,12 @@ def _mentioned(body: Sequence[facts.Base]) -> frozenset[str]:
 
 def mentioned_in(blocks: Collection[Block]) -> frozenset[str]:
     """The attributes of ``self`` that some blocks have, or functions that they define."""
-    return frozenset().union(*(_mentioned(_evaluated(block)) for block in blocks))
+    return frozenset().union(*map(_mentioned_at, blocks))
+
+
+@once_for
+def _mentioned_at(block: Block) -> frozenset[str]:
+    return _mentioned(_evaluated(block))
 
 
 def _evaluated(block: Block) -> Sequence[facts.Base]:

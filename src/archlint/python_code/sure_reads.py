@@ -154,8 +154,14 @@ def _changed_before(work: MethodsAtWork, method: str, graph: Graph, block: Block
     before = [each for each in run_before(graph, block) if each is not block]
     changed = {target.attr for each in before for target in assigned_at(each)}
     for other in work.after(_run_in(work, method, before)):
-        changed |= {name for target in targets_of(work.methods[other].body) if (name := of_self(target)) is not None}
+        changed |= _assigned_in(work.methods[other])
     return changed
+
+
+@once_for
+def _assigned_in(method: facts.Function) -> frozenset[str]:
+    """The attributes of ``self`` that a method assigns, or a function inside it."""
+    return frozenset(name for target in targets_of(method.body) if (name := of_self(target)) is not None)
 
 
 def _asked_by(function: facts.Function, deciders: Sequence[Block]) -> frozenset[str]:

@@ -204,7 +204,7 @@ def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iter
                 graph, attempt, blocks, [row for row in rows if Itself[facts.Base](row[1]) not in told]
             )
             if caught is not None and _is_defined(caught[1], function, known):
-                tried = {block for statement in attempt.body for block in graph.at(statement)}
+                tried = graph.inside(attempt.body)
                 assigned = next(span for block, span in bound[name] if block in tried)
                 read, handler, failing = caught
                 way_out = _way_out(function, attempt, read)
@@ -297,7 +297,7 @@ def _past_handler(
 ) -> tuple[facts.Name, facts.Handler, int] | None:
     """The read to which a handler surely leads, where what it handles keeps the variable from its only assignment, and
     the line that fails then."""
-    tried = {block for statement in attempt.body for block in graph.at(statement)}
+    tried = graph.inside(attempt.body)
     inside = [block for block in bound if block in tried]
     starts = graph.of(attempt)
     failing = failing_before(inside, tried)
@@ -307,7 +307,7 @@ def _past_handler(
     if any(start in before for start in starts):
         return None
     reading = {block: name for block, name, surely in reversed(rows) if surely and block not in tried}
-    final = {block for statement in attempt.final for block in graph.at(statement)}
+    final = graph.inside(attempt.final)
     for handler in attempt.handlers:
         if not handler.body or not handler.caught or handler.caught & (_ENDS | _OPTIONAL):
             continue  # a bare one is for Ctrl-C, too

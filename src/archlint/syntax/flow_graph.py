@@ -10,7 +10,7 @@ All questions come down to reaching blocks: one dominates another if nothing rea
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Collection, Hashable
+from collections.abc import Callable, Collection, Hashable, Sequence
 from functools import cached_property
 from typing import Any, Generic, TypeVar
 
@@ -61,6 +61,7 @@ class Graph:
         reached = set(blocks)
         self.returns = [(statement, exit_) for statement, exit_ in exit_blocks.returns if exit_ in reached]
         self._answers: dict[tuple[object, frozenset[Block]], list[Any]] = {}
+        self._inside: dict[tuple[int, ...], frozenset[Block]] = {}
         self._decided: dict[tuple[frozenset[Block], frozenset[Block]], set[Block]] = {}
 
     @property
@@ -74,6 +75,15 @@ class Graph:
         return [
             block for block in self.blocks if block.statement is not None and is_within(block.statement, first, last)
         ]
+
+    def inside(self, statements: Sequence[facts.Stmt]) -> frozenset[Block]:
+        """The blocks of statements and of what is inside them, as far as they run; kept, for it is asked of a branch
+        once for each variable."""
+        key = tuple(map(id, statements))  # of facts that the graph keeps alive
+        known = self._inside.get(key)
+        if known is None:
+            known = self._inside[key] = frozenset(block for each in statements for block in self.at(each))
+        return known
 
     def loop(self, statement: facts.While | facts.For) -> Loop | None:
         """The loop that a statement is; None where it never runs."""
