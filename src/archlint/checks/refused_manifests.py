@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -19,9 +20,11 @@ from archlint.packaging.refused_manifests import (
     refused_manifests,
     untyped_manifests,
 )
+from archlint.packaging.same_names import copied_names
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
+    from archlint.workspace.model import Package
 
 
 @rule("PKG011", scope=Scope.WORKSPACE)
@@ -33,6 +36,8 @@ def refused_manifest(system: System, options: Options) -> Iterator[Finding]:
     yield from map(_refused, refused_manifests(workspace))
     yield from map(_untyped, untyped_manifests(workspace))
     yield from map(_mistyped, mistyped_manifests(workspace))
+    for copied, original in copied_names(workspace):
+        yield _of_one_name(copied, original)
 
 
 def _refused(row: RefusedManifest) -> Finding:
@@ -73,6 +78,20 @@ def _mistyped(row: Mistyped) -> Finding:
         row.place,
         f"colcon cannot build '{name}': {what}",
         help=f"write <build_type>{row.build_type}</build_type>",
+        identity=(name, what),
+        group=("refused",),
+    )
+
+
+def _of_one_name(copied: Package, original: Place) -> Finding:
+    name, folder = copied.name, posixpath.basename(posixpath.dirname(copied.manifest.relative))
+    what = f"the package beside it is called '{name}', too"
+    return finding(
+        "PKG011",
+        Place(copied.manifest.relative, copied.name_line, 1, copied.name_line, 1),
+        f"colcon builds nothing here: {what}",
+        help=f"write <name>{folder}</name>, and that name where the package builds and looks for itself",
+        related=[Related(original, f"'{name}' is this one")],
         identity=(name, what),
         group=("refused",),
     )
