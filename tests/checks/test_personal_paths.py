@@ -132,3 +132,29 @@ def test_paths_that_others_have_too(findings, path):
 def test_an_account_of_the_image_that_the_workspace_builds(findings):
     dockerfile = "FROM ros:jazzy\nRUN useradd -m maria\nCOPY . /home/maria/ws\n"
     assert findings("LCH010", node("/home/maria/hall.yaml"), Dockerfile=dockerfile) == []
+
+
+MAP = "image: {image}\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
+
+
+@pytest.mark.parametrize("image", ["/home/maria/maps/hall.pgm", "'/home/maria/maps/hall.pgm'"])
+def test_the_image_of_a_map(findings, image):
+    files = {"maps/hall.yaml": MAP.format(image=image), "maps/hall.pgm": "P5"}
+    (finding,) = findings("LCH014", node(""), **files)
+    assert (finding.place.file, finding.place.line) == ("maps/hall.yaml", 1)
+    assert finding.message.startswith("'/home/maria/maps/hall.pgm' is in the home folder of 'maria'")
+    assert finding.help == "write image: hall.pgm, which is looked for beside the map"
+
+
+@pytest.mark.parametrize(
+    ("text", "beside"),
+    [
+        (MAP.format(image="hall.pgm"), "hall.pgm"),
+        (MAP.format(image="/home/maria/maps/hall.pgm"), "yard.pgm"),  # it is somewhere else
+        (MAP.format(image="/home/ubuntu/maps/hall.pgm"), "hall.pgm"),
+        ("image: /home/maria/maps/hall.pgm\n", "hall.pgm"),  # no map
+        (MAP.format(image="hall.pgm") + "# image: /home/maria/hall.pgm\n", "hall.pgm"),
+    ],
+)
+def test_the_image_of_a_map_that_others_find(findings, text, beside):
+    assert findings("LCH014", node(""), **{"maps/hall.yaml": text, f"maps/{beside}": "P5"}) == []

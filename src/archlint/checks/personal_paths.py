@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -9,7 +10,7 @@ from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
-from archlint.launch_files.personal_paths import PersonalPath, personal_paths
+from archlint.launch_files.personal_paths import PersonalPath, maps_by_personal_path, personal_paths
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -24,11 +25,15 @@ def personal_path(system: System, options: Options) -> Iterator[Finding]:
 
 @rule("LCH014", scope=Scope.LAUNCH_FILE)
 def own_file_by_personal_path(system: System, options: Options) -> Iterator[Finding]:
-    """Those of them that lead to a file of a package of the workspace."""
+    """Those of them that lead to a file of a package of the workspace, and the images of maps."""
     launch_files = () if system.launched is None else system.launched.sources
     for row in personal_paths(system):
         if row.inside is not None:
             yield _finding("LCH014", row, _help(row, *row.inside, row.place.file in launch_files))
+    for row in [] if system.workspace is None else maps_by_personal_path(system.workspace):
+        yield _finding(
+            "LCH014", row, f"write image: {posixpath.basename(row.path)}, which is looked for beside the map"
+        )
 
 
 def _finding(code: str, row: PersonalPath, help: str) -> Finding:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_aside
 from archlint.analysis.kept import kept_for_each_file, once
 from archlint.finding import Place
 from archlint.launch.parameter_sources import files_among
@@ -79,6 +80,28 @@ def _inside(workspace: WorkspaceIndex, path: str) -> tuple[str, str] | None:
     return None
 
 
+@once
+def maps_by_personal_path(workspace: WorkspaceIndex) -> list[PersonalPath]:
+    """The images that maps for map_server name so, and that lie beside them: a map without a folder in front of it is
+    looked for there.
+
+    Source: ``loadMapYaml`` of nav2_map_server.
+    """
+    rows: list[PersonalPath] = []
+    for file in workspace.tree.files_below(workspace.tree.top):
+        if not file.endswith((".yaml", ".yml")) or workspace.package_of(file) is None or is_aside(workspace, file):
+            continue
+        images = workspace.tree.lines_with(file, r"^image:\s")
+        is_map = (
+            images and workspace.tree.lines_with(file, r"^resolution:") and workspace.tree.lines_with(file, r"^origin:")
+        )
+        for number, line in images if is_map else ():
+            texts = [(line, (number, 1, number, len(line) + 1))]
+            beside = posixpath.join(posixpath.dirname(file), posixpath.basename(line.strip(" \t\r\n'\"")))
+            rows += _among(workspace, file, texts) if workspace.tree.is_file(beside) else []
+    return rows
+
+
 _IMAGE_FILES = ("Dockerfile", "docker-compose.yml", "docker-compose.yaml", "compose.yaml", "devcontainer.json")
 _HIDDEN = (".devcontainer/Dockerfile", ".devcontainer/devcontainer.json", ".docker/Dockerfile")
 _ACCOUNT = re.compile(
@@ -142,4 +165,4 @@ def _of_parameters(workspace: WorkspaceIndex, file: str) -> Iterator[_Text]:
         yield from ((value, entry.span) for value in values if isinstance(value, str))
 
 
-__all__ = ["PersonalPath", "personal_paths"]
+__all__ = ["PersonalPath", "maps_by_personal_path", "personal_paths"]
