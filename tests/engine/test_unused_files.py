@@ -248,3 +248,32 @@ def test_a_version_that_is_in_use_is_shown(
     write(draft, DRAFT)
     write(beside, text)
     assert draft in files_of(checked(capsys)[0])
+
+
+BROKEN_PACKAGE = {
+    "package.xml": MANIFEST.replace("<name>robot<", "<name>arm<").replace("rclpy<", "rospy<"),
+    "setup.py": SETUP.replace("robot", "arm").replace("arm.driver", "arm.gone"),
+    "arm/__init__.py": "",
+}
+
+
+@pytest.mark.parametrize(
+    ("folder", "others", "codes"),
+    [
+        ("arm (no usado)", {}, []),
+        ("unused/arm", {}, []),
+        ("arm", {}, ["PKG002", "PKG008"]),
+        ("unused/arm", {"robot/robot/lifts.py": "import arm.lift\n"}, ["PKG002"]),
+        ("unused/arm", {"README.md": "    ros2 run arm lift\n"}, ["PKG002"]),
+        ("unused/arm", {"robot/launch/up.launch.xml": '<launch><node pkg="arm" exec="x"/></launch>'}, ["PKG002"]),
+    ],
+    ids=["in brackets", "a folder", "in use", "imported", "a document starts it", "a launch file starts it"],
+)
+def test_a_package_that_is_put_aside_as_a_whole(
+    capsys: pytest.CaptureFixture[str], folder: str, others: dict[str, str], codes: list[str]
+) -> None:
+    for path, text in {**{f"{folder}/{name}": text for name, text in BROKEN_PACKAGE.items()}, **others}.items():
+        write(path, text)
+    document, _ = checked(capsys, "--select", "PKG001,PKG002,PKG008")
+    own = (row for row in document["diagnostics"] if row["file"].startswith(f"{folder}/"))
+    assert sorted({row["code"] for row in own}) == codes

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_disused
 from archlint.checks.registry import registered
 from archlint.checks.scope import Scope
+from archlint.packaging.disused_packages import is_in_disused_package
 from archlint.packaging.unbuilt_files import runs_nowhere
 from archlint.packaging.unused_files import is_earlier_version, nothing_runs
 
@@ -24,11 +25,13 @@ def unused_files(index: WorkspaceIndex, findings: Iterable[Finding], request: Re
     if request.settings.unused_files:
         return frozenset()
     named = {os.path.abspath(path) for path in request.paths}
-    told = [finding for finding in findings if _is_of_what_runs(finding)]
+    every = list(findings)
+    told = [finding for finding in every if _is_of_what_runs(finding)]
     files = {file for finding in told for file in (finding.place.file, *_others_of(finding))}
     unread = {finding.place.file for finding in told if finding.code == "LNT002"}
     unused = (file for file in files if nothing_runs(index, file) or (file in unread and _is_left(index, file)))
-    return frozenset(file for file in unused if os.path.abspath(file) not in named)
+    whole = {finding.place.file for finding in every if is_in_disused_package(index, finding.place.file)}
+    return frozenset(file for file in (*unused, *whole) if os.path.abspath(file) not in named)
 
 
 def _is_left(index: WorkspaceIndex, file: str) -> bool:
@@ -47,7 +50,8 @@ def apart(index: WorkspaceIndex, findings: Iterable[Finding], files: Set[str]) -
         own, others = finding.place.file, _others_of(finding)
         unused = own in files and (others <= files or _never_meets(index, own))
         alone = bool(others) and others <= files and all(_never_meets(index, other) for other in others)
-        (hidden if _is_of_what_runs(finding) and (unused or alone) else shown).append(finding)
+        of_runs = _is_of_what_runs(finding) and (unused or alone)
+        (hidden if of_runs or (own in files and _is_of_disused_package(index, finding)) else shown).append(finding)
     return shown, hidden
 
 
@@ -67,6 +71,13 @@ def _others_of(finding: Finding) -> set[str]:
     check = registered().get(finding.code)
     together = check is not None and check.scope is Scope.SYSTEM
     return {related.place.file for related in finding.related if together}
+
+
+def _is_of_disused_package(index: WorkspaceIndex, finding: Finding) -> bool:
+    """Whether a finding is about a package that is put aside, its package.xml and setup.py with it."""
+    declared = finding.code not in registered() or finding.code.startswith(_OF_DECLARATIONS)
+    files = (finding.place.file, *_others_of(finding))
+    return not declared and all(is_in_disused_package(index, file) for file in files)
 
 
 _OF_FILES = frozenset({"PKG001"})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+import unicodedata
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 
@@ -16,10 +17,17 @@ _PUT_ASIDE = frozenset({"archive", "archived", "archives", "attic", "backups", "
     *("archieve", "archieved", "old", "outdated", "unused"),
 }
 """Among them a spelling that one meets as often as the right one."""
-_NAMED_OLD = re.compile(
-    r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|back_?up|bak|bkp|unused)|_old|(?:.+_)?not_?used"
+_IN_OTHER_LANGUAGES = (
+    r"obsolet[oa]s?|viej[oa]s?|antigu[oa]s?|vecchi[oa]?|veraltet|ungenutzt|inutilisee?s?|anciens?"
+    r"|n(?:o|ao)[ _-]?usad[oa]s?|sin[ _-]usar|sem[ _-]uso|non[ _-]usat[oiae]|nicht[ _-]benutzt"
 )
-_MARKED = re.compile(r"[(\[](?:archived?|backup|deprecated|obsolete|old|unused)[)\]]")
+"""In small letters, without accents."""
+_NOT_TO_USE = rf"not[ _-]?used|(?:do[ _-]?not|don'?t)[ _-]?use|{_IN_OTHER_LANGUAGES}"
+_NAMED_OLD = re.compile(
+    r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|back_?up|bak|bkp|unused)|_old"
+    rf"|(?:.+[ _-])?not[ _-]?used|{_NOT_TO_USE}"
+)
+_MARKED = re.compile(rf"[(\[](?:archived?|backup|deprecated|obsolete|old|unused|{_NOT_TO_USE})[)\]]")
 _COPY = re.compile(
     r"\(copy|[ _.-]copy\d*\W|^copy[ _-](?:\d+[ _-])?of[ _-]|sync-conflict-|\(\d+\)"
     r"|[ _.-](?:bak|backup|bk|bkp|old|orig|unused)\.|[ _.-](?:archived?|deprecated|obsolete)\.py$"
@@ -56,9 +64,9 @@ class FileRoles:
         return self.is_test(path) or _tries_out(self._below_workspace(path))
 
     def is_put_aside(self, path: str) -> bool:
-        """Whether a file is kept, and no longer worked on: by the name of a folder of the workspace, by a word in
-        brackets (``(unused)robot/``), or because it is a copy that nothing can import, such as ``driver (copy).py`` or
-        ``driver.sync-conflict-20260323.py``."""
+        """Whether a file is kept, and no longer worked on: by the name of a folder of the workspace, by words in
+        brackets (``(unused)robot/``, ``robot (no usado)/``), or because it is a copy that nothing can import, such as
+        ``driver (copy).py`` or ``driver.sync-conflict-20260323.py``."""
         return _is_put_aside(self._below_workspace(path))
 
     @staticmethod
@@ -88,10 +96,18 @@ def _tries_out(path: str) -> bool:
 
 @lru_cache(maxsize=50_000)
 def _is_put_aside(path: str) -> bool:
-    *folders, name = [part.lower().lstrip("_.") for part in path.split("/")]
+    *folders, name = [_plain(part).lstrip("_.") for part in path.split("/")]
     old = any(folder in _PUT_ASIDE or _NAMED_OLD.fullmatch(folder) for folder in folders)
     marked = any(_MARKED.search(part) for part in (*folders, name))
     return old or marked or _COPY.search(name) is not None
+
+
+def _plain(name: str) -> str:
+    """A name in small letters without accents."""
+    letters = name.lower()
+    if letters.isascii():
+        return letters
+    return "".join(each for each in unicodedata.normalize("NFKD", letters) if not unicodedata.combining(each))
 
 
 def _is_in_folder_of_tests(path: str) -> bool:
