@@ -10,6 +10,9 @@ from archlint.finding import Severity
 from robot_package import CMAKE, MANIFEST, SCRIPTS, SETUP, SETUP_CFG, TALKER, node
 
 LEFT_OVER = "remove the entry: it has no module, and no launch file starts it"
+TALKER_IS_LEFT = (
+    "write '{} = robot.talker:main': of the modules that no entry names, only this one has a function 'main'"
+)
 
 
 @pytest.mark.parametrize(
@@ -253,13 +256,13 @@ def test_a_node_action_without_a_package_needs_none(findings):
             "module 'robot.tlker' does not exist; did you mean 'robot.talker'?",
             "write 'tower = robot.talker:main'",
         ),
-        ("robot.b", "module 'robot.b' does not exist", LEFT_OVER),
+        ("robot.b", "module 'robot.b' does not exist", TALKER_IS_LEFT.format("tower")),
         (
             "robot.robot_arm_talker",
             "module 'robot.robot_arm_talker' does not exist; did you mean 'robot.talker'?",
             "write 'tower = robot.talker:main'",
         ),
-        ("robot.robot_a", "module 'robot.robot_a' does not exist", LEFT_OVER),
+        ("robot.robot_a", "module 'robot.robot_a' does not exist", TALKER_IS_LEFT.format("tower")),
         (
             "robt.talker",
             "module 'robt.talker' does not exist; did you mean 'robot.talker'?",
@@ -280,7 +283,7 @@ def test_a_module_without_the_function_is_not_the_one_that_was_meant(findings, t
     entry = SETUP.replace("talker = robot.talker:main", "tower = robot.visualizer:main")
     (found,) = findings("PKG002", **{"setup.py": entry, "robot/visualiser.py": text})
     assert ("did you mean 'robot.visualiser'?" in found.message) == said
-    assert found.help == ("write 'tower = robot.visualiser:main'" if said else LEFT_OVER)
+    assert found.help == ("write 'tower = robot.visualiser:main'" if said else TALKER_IS_LEFT.format("tower"))
 
 
 @pytest.mark.parametrize(
@@ -291,7 +294,47 @@ def test_the_module_with_the_name_of_the_executable_was_meant(findings, text: st
     entry = SETUP.replace("talker = robot.talker:main", "tuner = robot.publisher:main")
     (found,) = findings("PKG002", **{"setup.py": entry, "robot/tuner.py": text})
     assert ("did you mean 'robot.tuner'?" in found.message) == said
-    assert found.help == ("write 'tuner = robot.tuner:main'" if said else LEFT_OVER)
+    assert found.help == ("write 'tuner = robot.tuner:main'" if said else TALKER_IS_LEFT.format("tuner"))
+
+
+@pytest.mark.parametrize(
+    ("files", "entries", "help"),
+    [
+        ({}, "", TALKER_IS_LEFT.format("tower")),
+        ({"robot/walker.py": "def main():\n    print('on')\n"}, "", LEFT_OVER),
+        ({}, ", 'talker = robot.talker:main'", LEFT_OVER),
+        ({"robot/talker.py": "def talk():\n    print('on')\n"}, "", LEFT_OVER),
+    ],
+    ids=["one is left", "two are left", "another entry names it", "it has no such function"],
+)
+def test_the_only_module_left_that_has_the_function(findings, files: dict[str, str], entries: str, help: str):
+    setup = SETUP.replace("'talker = robot.talker:main'", f"'tower = robot.gone_since_may:main'{entries}")
+    (found,) = findings("PKG002", **{"setup.py": setup, **files})
+    assert (found.message, found.help) == (
+        "the executable 'tower' cannot start: module 'robot.gone_since_may' does not exist",
+        help,
+    )
+
+
+def test_what_the_only_module_left_is_named_for_where_the_module_has_no_function_at_all(findings):
+    setup = SETUP.replace("robot.talker:main", "robot.sizes:main")
+    (found,) = findings("PKG002", **{"setup.py": setup, "robot/sizes.py": "WIDTH = 0.4\n"})
+    assert found.message == "the executable 'talker' cannot start: 'robot.sizes' has no function 'main'"
+    assert found.help == TALKER_IS_LEFT.format("talker")
+
+
+@pytest.mark.parametrize(
+    ("text", "messages"),
+    [
+        ("def main():\n    print('on')\n", []),
+        ("", ["the executable 'talker' cannot start: 'robot' has no function 'main'"]),
+    ],
+)
+def test_an_entry_may_name_the_module_of_a_package_in_full(findings, text: str, messages: list[str]):
+    """Python imports ``robot.__init__`` as a module of its own, made of the same file."""
+    setup = SETUP.replace("robot.talker:main", "robot.__init__:main")
+    found = findings("PKG002", **{"setup.py": setup, "robot/__init__.py": text})
+    assert [one.message for one in found] == messages
 
 
 def test_the_only_module_of_that_name_in_another_folder_was_meant(findings):

@@ -16,7 +16,7 @@ from archlint.finding import Finding, Related, Severity
 from archlint.launch_files.launch_code import started_programs
 from archlint.packaging.entry_points import NeverAwaited, NoFunction, NoFunctionNamed, NoModule, broken_target
 from archlint.packaging.left_out_code import is_entry_left_out
-from archlint.packaging.modules_meant import folder_to_rename, target_meant
+from archlint.packaging.modules_meant import folder_to_rename, only_module_left, target_meant
 from archlint.packaging.webots_plugins import loaded_by_webots
 from archlint.suggestions import did_you_mean, listed, meant, nearest
 
@@ -93,7 +93,7 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
                     return  # PKG004 says so where setup.py lists the package
                 if renamed is not None:
                     help = f"rename the folder '{renamed[0]}' to '{renamed[1]}', as which its own code imports it"
-            group = (executable.place.file, _NO_MODULE, "") if there is None else ()
+            group = (executable.place.file, _NO_MODULE, "") if there is None and _NAME_IT not in help else ()
             yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help, group)
         case NoFunctionNamed(module, functions):
             help = _with_a_function(executable.name, module, functions)
@@ -113,6 +113,9 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             hint = did_you_mean(function, names)
             otherwise = "use a function that it has" if has_others else "remove the entry: it has no function at all"
             help = f"define '{function}' in the module, or {otherwise}"
+            left = None if has_others else only_module_left(workspace, executable)
+            if left is not None:
+                help, group = _name_it(executable, left), ()
             if near is not None:
                 help = f"write '{executable.name} = {module}:{near}'"
             elif ros1:
@@ -131,7 +134,17 @@ def _without_module(workspace: WorkspaceIndex, executable: Executable) -> str:
     """What to do about an entry whose module is nowhere: one that no launch file starts is left over."""
     if (executable.package, executable.name) in started_programs(workspace):
         return "add the module, or remove the entry"
-    return _LEFT_OVER
+    left = only_module_left(workspace, executable)
+    return _LEFT_OVER if left is None else _name_it(executable, left)
+
+
+_NAME_IT = "of the modules that no entry names, only this one"
+
+
+def _name_it(executable: Executable, module: str) -> str:
+    """Advice to start the one module that may have been meant."""
+    function = executable.function or "main"
+    return f"write '{executable.name} = {module}:{function}': {_NAME_IT} has a function '{function}'"
 
 
 _LEFT_OVER = "remove the entry: it has no module, and no launch file starts it"

@@ -77,6 +77,8 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> Broken |
     modules = workspace.code.modules_of(executable.package)
     if module is None or not modules:
         return None
+    package = module.removesuffix(".__init__")
+    module = package if package in modules else module  # Python imports `robot.__init__`, too
     paths = [modules[module]] if module in modules else workspace.code.files_named(executable.package, module)
     if not paths:
         ours = {name.partition(".")[0] for name in modules}

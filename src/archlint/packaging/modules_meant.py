@@ -39,6 +39,18 @@ def target_meant(workspace: WorkspaceIndex, executable: Executable) -> Meant | N
     return likely
 
 
+def only_module_left(workspace: WorkspaceIndex, executable: Executable) -> str | None:
+    """The only module of the package that defines the function of a broken entry and that no entry starts; None where
+    another entry is broken, too, and may have been meant for it."""
+    entries = [each for each in workspace.installs[executable.package].executables.values() if each.module]
+    if any(each is not executable and broken_target(workspace, each) is not None for each in entries):
+        return None
+    known, function = workspace.code.modules_of(executable.package), executable.function or "main"
+    left = _that_start(workspace, executable, executable.module or "", known)
+    having = [name for name in left if _defines(workspace, executable, name, function)]
+    return having[0] if len(having) == 1 and having[0] != executable.module else None
+
+
 def is_called_in_its_code(workspace: WorkspaceIndex, package: str, folder: str, name: str) -> bool:
     """Whether the modules of a folder with Python code import each other as those of a Python package of another
     ``name``: what has to change then is the name of the folder."""
@@ -168,4 +180,4 @@ def _may_offer(workspace: WorkspaceIndex, package: str, module: str, function: s
     return path is None or workspace.code.mentions(path, function.partition(".")[0])
 
 
-__all__ = ["Meant", "folder_to_rename", "is_called_in_its_code", "target_meant"]
+__all__ = ["Meant", "folder_to_rename", "is_called_in_its_code", "only_module_left", "target_meant"]
