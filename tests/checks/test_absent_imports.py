@@ -57,6 +57,16 @@ def generate_launch_description():
             "rclpy has no 'Node'; it is in rclpy.node",
             "write `from rclpy.node import Node`",
         ),
+        (
+            "rclpy.Duration(3)",
+            "rclpy has no 'Duration'; it is in rclpy.duration",
+            "import rclpy.duration and write rclpy.duration.Duration(seconds=…)",
+        ),
+        (
+            "rclpy.Duration(seconds=3)",
+            "rclpy has no 'Duration'; it is in rclpy.duration",
+            "import rclpy.duration and write rclpy.duration.Duration",
+        ),
         ("from rclpy import loginfo", "rclpy has no 'loginfo'", "use get_logger().info() of a node"),
         (
             "from rclpy import teleport",

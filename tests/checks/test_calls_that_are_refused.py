@@ -538,3 +538,25 @@ def test_what_goes_by_name_alone(judge: Judge, call: str, help: str):
     [finding] = judge("API001", source.format(call=f"{call}  # here"))
     assert finding.message.endswith("fails: it takes no argument by position")
     assert finding.help == help
+
+
+@pytest.mark.parametrize(
+    ("given", "help"),
+    [
+        ("10", "write timeout_sec= instead of timeout="),
+        ("Duration(seconds=10)", "write timeout_sec=10.0 instead of timeout=Duration(…): it takes a number of seconds"),
+        ("Duration(seconds=self.limit)", "write timeout_sec=self.limit instead of timeout=Duration(…): it takes a "),
+        (
+            "Duration(nanoseconds=10)",
+            "write timeout_sec=… instead of timeout=Duration(…): it takes a number of seconds",
+        ),
+    ],
+)
+def test_a_duration_where_a_number_of_seconds_is_wanted(judge: Judge, given: str, help: str):
+    source = NODE.replace(
+        "import rclpy\n", "import rclpy\nfrom rclpy.duration import Duration\nfrom std_srvs.srv import Empty\n"
+    )
+    call = f"self.create_client(Empty, 'go').wait_for_service(timeout={given})  # here"
+    [finding] = judge("API001", source.format(call=call))
+    assert finding.message == "wait_for_service() fails: it has no parameter 'timeout'"
+    assert (finding.help or "").startswith(help)

@@ -274,3 +274,37 @@ def test_lines_behind_a_constructor_that_never_returns(tmp_path: Path) -> None:
     source = AT_THE_END.replace("{lines}", "robot.destroy(){mark}")
     told(tmp_path, source.replace("{last}", "self.drive()").replace("{mark}", ""), ("API002",))
     told(tmp_path, source.replace("{last}", "pass").replace("{mark}", "  # here"), ("API002",))
+
+
+ASKS = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Empty
+
+
+    class Asks(Node):
+        def __init__(self):
+            super().__init__('asks')
+            self.client = self.create_client(Empty, 'go')
+            {wait}  # here
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Asks())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("wait", "codes"),
+    [
+        ("self.client.wait_for_service(timeout=10)", ["API001"]),
+        ("self.client.wait_for_service()", ["TMO001"]),
+    ],
+)
+def test_a_call_that_always_fails_waits_for_nothing(tmp_path: Path, wait: str, codes: list[str]):
+    assert told(tmp_path, ASKS.format(wait=wait), ("API001", "TMO001")) == codes

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 _WANTS_A_NAME = frozenset({"rclpy.logging.get_logger"})
 """Functions that have another one's name and fail without the argument that this does without."""
+_BY_NAME = frozenset({"rclpy.duration.Duration", "rclpy.time.Time"})
+"""What takes no argument by position."""
 OF_MODULE = "module"
 """The group of findings that are about one name of a module."""
 OF_NODES = "methods of nodes"
@@ -140,6 +142,8 @@ def _cure(absent: Absent, module: str, name: str) -> str:
         return f"write `from {module} import {name}`"
     if absent.called_bare and f"{module}.{name}" in _WANTS_A_NAME:
         name = f"{name}('robot'), with any name"
+    if absent.by_position and f"{module}.{name}" in _BY_NAME:
+        name = f"{name}(seconds=…)"
     if name:
         return f"write {module}.{name}" if module == absent.module else f"import {module} and write {module}.{name}"
     return f"write `import {module}`" if absent.is_module and absent.is_import else _failing(absent)

@@ -26,11 +26,13 @@ from archlint.checks.attributes import (
 from archlint.checks.early_reads import TOO_EARLY, early_read_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.late_attributes import TOO_LATE, late_attribute_findings
-from archlint.checks.nodes_at_hand import cure_of_spin, node_around
+from archlint.checks.methods_meant import asks_for_action, cure_of_absent, getter_meant, is_of_node
+from archlint.checks.nodes_at_hand import cure_of_spin
 from archlint.checks.own_calls import COMPARED, NOT_CALLED, own_call_findings
 from archlint.checks.refused_by_rclcpp import OF_RCLCPP, moved_name_findings, refused_by_rclcpp_findings
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.seconds_instead import cure_of_duration
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
 from archlint.checks.uncalled import unless_uncalled
 from archlint.checks.unported import (
@@ -43,7 +45,7 @@ from archlint.checks.unported import (
 )
 from archlint.checks.used_values import NOTHING, PLAIN, TEXT, misused_kind_findings, used_value_findings
 from archlint.finding import Finding
-from archlint.libraries.api_signatures import attributes_of, signatures_of
+from archlint.libraries.api_signatures import signatures_of
 from archlint.model import Misuse, RefusedCall
 from archlint.python_code.given_to_libraries import may_have
 from archlint.python_code.logged_values import logged_values
@@ -107,14 +109,14 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     for call, name in judged:
         if call.place.file in left or _is_of_action(call, name, judged_calls):
             continue
-        logs = name in LEVELS and _is_of_node(call)
+        logs = name in LEVELS and is_of_node(call)
         diagnostic = finding(
             "API002",
             call.place,
             f"{call.given.rpartition('.')[2]} has no {name}()",
             help=_in_place_of_absent(system, call, name, logs),
             identity=(call.api,),
-            group=(OF_ROS_1, call.place.file) if is_of_ros_1(unported, call.place.file) else _group(call, logs),
+            group=(OF_ROS_1, call.place.file) if is_of_ros_1(unported, call.place.file) else _group(call, name, logs),
             meant=call.wanted,
             fails=True,
         )
@@ -124,7 +126,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
 def _is_of_action(call: RefusedCall, name: str, refused: Iterable[RefusedCall]) -> bool:
     """Whether a client for services lacks what one for actions has, and API001 says that its file makes it for an
     action."""
-    if not call.api.startswith(_CLIENT) or name not in (attributes_of(_ACTION_CLIENT) or ()):
+    if not asks_for_action(call, name):
         return False
     return any(_is_made_for_action(other) for other in refused if other.place.file == call.place.file)
 
@@ -136,7 +138,7 @@ def _is_made_for_action(call: RefusedCall) -> bool:
 def _in_place_of_absent(system: System, call: RefusedCall, name: str, logs: bool) -> str:
     if logs:
         return LOG_WITH.format(name)
-    return f"use {call.wanted}" if call.wanted else _define(system, call, name)
+    return f"use {call.wanted}" if call.wanted else cure_of_absent(system, call, name)
 
 
 _CREATES = {
@@ -151,56 +153,27 @@ _CREATES = {
 
 def _called_value(call: RefusedCall) -> Finding:
     owner, _, name = call.api.rpartition(".")
-    cure = f"write {_CREATES[name]}, or {name} without parentheses" if name in _CREATES and _is_of_node(call) else ""
+    cure = f"write {_CREATES[name]}, or {name} without parentheses" if name in _CREATES and is_of_node(call) else ""
     return called_property(CalledProperty(call.place, owner.rpartition(".")[2], name, cure))
 
 
-def _group(call: RefusedCall, logs: bool) -> tuple[str, ...]:
+def _group(call: RefusedCall, name: str, logs: bool) -> tuple[str, ...]:
     """What a finding has in common with others of its file: a slip, a class without several methods of its own, or the
     name."""
     if logs:
         return (LOGS, call.place.file)
     if is_of_rospy(call):
         return (OF_ROS_1, call.place.file)
-    return (UNDEFINED, call.place.file) if _is_of_node(call) and not call.wanted else (call.place.file, call.api)
+    undefined = is_of_node(call) and not call.wanted and not getter_meant(call, name)
+    return (UNDEFINED, call.place.file) if undefined else (call.place.file, call.api)
 
 
 UNDEFINED = "undefined"
 """The group of findings about methods that the classes of a file call and do not have."""
 
 
-_NODE = "rclpy.node.Node"
-_CLIENT = "rclpy.client.Client."
-_THE_ACTION = "the action "
-_ACTION_CLIENT = "rclpy.action.client.ActionClient"
-_GOAL_HANDLE = "rclpy.action.client.ClientGoalHandle"
-
-
-def _define(system: System, call: RefusedCall, name: str) -> str:
-    """What to do about a method that no distribution has and that has no near name."""
-    if call.given.rpartition(".")[2] == "Future" and name in (attributes_of(_GOAL_HANDLE) or ()):
-        return "keep the future apart from the goal handle, which is its result()"
-    if not _is_of_node(call) and name in (attributes_of(_NODE) or ()):
-        return f"it is a method of the node: write {node_around(system, call)}.{name}(…)"
-    if call.api.startswith(_CLIENT) and name in (attributes_of(_ACTION_CLIENT) or ()):
-        return "make an ActionClient of rclpy.action, which has it, in place of the client"
-    if call.given.rpartition(".")[2] == "ClientGoalHandle" and "feedback" in name:
-        return "pass what takes the feedback to send_goal_async(goal, feedback_callback=…) instead"
-    if _is_of_node(call) and name in _OF_RCLPY:
-        return f"use rclpy.{name}()"
-    return f"define {name}() in the class of the node, or remove the call" if _is_of_node(call) else "remove the call"
-
-
-_OF_RCLPY = frozenset({"init", "ok", "shutdown", "spin", "spin_once", "spin_until_future_complete", "try_shutdown"})
-"""Functions of rclpy that are taken for methods of a node.  Source: ``rclpy/__init__.py``."""
-
-
 def _is_open(call: RefusedCall) -> bool:
-    return _is_of_node(call) and not call.wanted
-
-
-def _is_of_node(call: RefusedCall) -> bool:
-    return call.given.rpartition(".")[2] == "Node"
+    return is_of_node(call) and not call.wanted
 
 
 @folds("API002")
@@ -267,7 +240,7 @@ def _finding(system: System, call: RefusedCall) -> Finding:
         "API001",
         call.place,
         f"{_subject(name, call)} {outcome}: {_what_is_wrong(call)}",
-        help=of_node or _cure(name, call),
+        help=of_node or cure_of_duration(system, call) or _cure(name, call),
         identity=(call.api, str(call.misuse), *call.parameters),
         # What is no node is none for all calls, and who gives one level of a logger too much does so to the others.
         group=(
@@ -336,6 +309,7 @@ def _what_is_wrong(call: RefusedCall) -> str:
             return f"{names} takes {call.wanted}, not {call.given}"
 
 
+_THE_ACTION = "the action "
 _OF_ACTIONS = {"create_client": "ActionClient", "create_service": "ActionServer"}
 """What makes for an action what these make for a service."""
 _ONCE = frozenset({"once", "one_shot", "oneshot"})

@@ -43,6 +43,8 @@ class Absent:
     """Whether it runs only where the file is a program: behind ``if __name__ == '__main__':``."""
     written: str = ""
     """What the code calls the module of which it reads an attribute."""
+    by_position: bool = False
+    """Whether it is called with an argument by position."""
 
     @property
     def is_module(self) -> bool:
@@ -103,6 +105,10 @@ class ModulesInCode:
         self._never_run = {Itself(part) for hint in _unread_hints(file_facts) for part in everything_in([hint])}
         self._asked_of_nodes = {Itself(call.func) for call in _bare_calls_in_nodes(file_facts)}
         self._called_bare = {Itself(call.func) for call in everything_in(file_facts.body, facts.Call) if not call.args}
+        calls = everything_in(file_facts.body, facts.Call)
+        self._by_position = {
+            Itself(call.func) for call in calls if any(not (given.keyword or given.star) for given in call.args)
+        }
         main = main_guard(file_facts)
         self._in_main = set() if main is None else {Itself(part) for part in everything_in(main.body)}
         self._bound: dict[str, set[str]] = {}
@@ -137,8 +143,9 @@ class ModulesInCode:
                 in_node = Itself(part) in self._asked_of_nodes
                 bare, in_main = (Itself(part) in parts for parts in (self._called_bare, self._in_main))
                 written = part.value.dotted
+                given = Itself(part) in self._by_position
                 yield Absent(
-                    module, part.attr, False, in_function, part.span, in_except, in_node, bare, in_main, written
+                    module, part.attr, False, in_function, part.span, in_except, in_node, bare, in_main, written, given
                 )
 
     def _asked_for(self, statement: _Import) -> Iterator[tuple[str, str]]:

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
+from archlint.analysis.source_code import source_code
 from archlint.place import Place
 from archlint.python_code.rclpy_objects import Kind, objects_of
 from archlint.records import dataclass
@@ -18,7 +19,7 @@ from archlint.syntax.parts import Itself, everything_in, parts_of
 from archlint.syntax.walk import given_to
 
 if TYPE_CHECKING:
-    from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.model import System, WorkspaceIndex
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,22 @@ def _of_file(file_facts: facts.Facts) -> list[tuple[str, str, str, facts.Span]]:
     return rows
 
 
+def duration_given(system: System, place: Place, keyword: str) -> tuple[str, str] | None:
+    """What makes the ``Duration`` that a call gets under a keyword, and the seconds of it as code writes them, if these
+    are a number or a name; None where it gets anything else."""
+    call = source_code(system).call_at(place)
+    given = next((each.value for each in call.args if each.keyword == keyword), None) if call is not None else None
+    match given:
+        case facts.Call(func=func, args=arguments) if func.last_name == "Duration":
+            match arguments:
+                case [facts.Argument(keyword="seconds", value=facts.Literal(value=float() | int() as seconds))]:
+                    return func.dotted, str(float(seconds))
+                case [facts.Argument(keyword="seconds", value=seconds)]:
+                    return func.dotted, seconds.dotted
+            return func.dotted, ""
+    return None
+
+
 def _parameters(call: facts.Call, uses_tf2: bool) -> Mapping[str, tuple[int, str]]:
     match call.func:
         case facts.Attribute(value=facts.Call(func=facts.Attribute(attr="get_clock")), attr="sleep_for"):
@@ -73,4 +90,4 @@ def _parameters(call: facts.Call, uses_tf2: bool) -> Mapping[str, tuple[int, str
     return {}
 
 
-__all__ = ["NumberForTime", "numbers_for_times"]
+__all__ = ["NumberForTime", "duration_given", "numbers_for_times"]
