@@ -164,7 +164,7 @@ KEEPS = "self.create_subscription(Empty, 'beside', self.on_beside, 10)"
 def test_beside_a_subscription_that_only_keeps_messages(judge: Judge, seconds: str, handler: str, told: bool):
     """In a large workspace; whoever learns hears of it anyway."""
     more = f"def on_beside(self, message):\n    {handler}"
-    body = f"self.gone = True\ntime.sleep({seconds}){'  # here' if told else ''}"
+    body = f"self.gone = True\ntime.sleep({seconds}){'  # here' if told else ''}\nself.gone = False"
     others = (
         f"class Idle{n}(Node):\n    def __init__(self):\n        super().__init__('i{n}')\n\n\n" for n in range(5)
     )

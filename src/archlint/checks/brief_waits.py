@@ -13,6 +13,7 @@ from archlint.checks.wait_words import made_here
 from archlint.execution.device_pauses import is_for_an_answer, is_for_what_has_not_arrived
 from archlint.execution.long_stays import LongStay, period_of
 from archlint.execution.loop_times import in_loops
+from archlint.execution.short_stays import is_soon_over
 from archlint.execution.states import leaves_its_state
 from archlint.model import Role
 
@@ -33,6 +34,7 @@ def are_brief(system: System, rows: Sequence[LongStay], *, quiet: bool) -> bool:
         or _runs_commands_for_a_request(rows)
         or _are_on_purpose(system, code, rows)
         or _come_once(code, rows)
+        or all(stay.kind == "sleep" and is_soon_over(system, program, call) for program, call, stay in rows)
     )
 
 

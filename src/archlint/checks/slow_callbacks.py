@@ -35,6 +35,7 @@ from archlint.execution.loop_times import in_loops
 from archlint.execution.own_timers import ends_its_timer_after
 from archlint.execution.request_paces import is_pause_before_the_next
 from archlint.execution.retries import gives_up_loudly, retries_after_errors, tries_until_it_works
+from archlint.execution.short_stays import comes_last
 from archlint.execution.sleeps import Stay
 from archlint.execution.spins import is_spin_call
 from archlint.execution.staged import is_between_moves, speaks_beside
@@ -196,9 +197,10 @@ def _delays_nothing(code: SourceCode, row: LongStay) -> bool:
 
 
 def _only_late_intake(code: SourceCode, row: LongStay) -> bool:
-    """Whether all that a short wait delays is what somebody keeps until it is read."""
-    program, call, _ = row
-    short = -_longest_first(code, row)[0] <= _A_WHILE and not made_here(call)
+    """Whether all that a short wait, or a sleep as the last step, delays is what somebody keeps until it is read."""
+    program, call, stay = row
+    last = stay.kind == "sleep" and comes_last(code, call)
+    short = last or (-_longest_first(code, row)[0] <= _A_WHILE and not made_here(call))
     return _delays_nothing(code, row) or (short and keeps_intake_alone(code, call, program))
 
 

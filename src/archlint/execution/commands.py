@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.reach import argument
+from archlint.model.given import Constant
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 
@@ -28,6 +31,32 @@ def ends_the_machine(code: SourceCode, call: ApiCall) -> bool:
 def is_soon_over(code: SourceCode, call: ApiCall) -> bool:
     """Whether a command only sets something, or asks the state of something, on this machine: milliseconds."""
     return all(map(_asks_for_a_moment, _commands(code, call)))
+
+
+def goes_on_behind(code: SourceCode, call: ApiCall) -> bool:
+    """Whether the shell starts a command and does not wait for it: ``os.system('ros2 launch … &')``."""
+    written, given = next((each.value for each in code.arguments(call)[:1]), None), argument(call, "command")
+    known = [] if given is None else [option.value for option in given.alternatives if isinstance(option, Constant)]
+    ends = [_end_of(written)] if given is None or len(known) < len(given.alternatives) else list(map(str, known))
+    return call.api == "os.system" and all(_BEHIND.search(end) is not None for end in ends)
+
+
+_BEHIND = re.compile(r"(?<!&)&\s*(?:\)\s*)?(?:(?:&&|;)?\s*sleep\s+0?\.\d+\s*)?$")
+"""``… &`` at the end, be it in brackets, and with less than a second in which the process comes up."""
+
+
+def _end_of(command: facts.Base | None) -> str:
+    """The text that a command ends in, as far as it is written out; empty where it is not."""
+    match command:
+        case facts.Literal(value=str(text)):
+            return text
+        case facts.FormatString(parts=[*_, str(text)]):
+            return text
+        case facts.Binary(op="+", right=right):
+            return _end_of(right)
+        case facts.Call(func=facts.Attribute(value=text, attr="format")):
+            return _end_of(text)
+    return ""
 
 
 def makes_a_file(code: SourceCode, call: ApiCall) -> bool:
@@ -109,4 +138,4 @@ def _words_in(values: Sequence[facts.Base]) -> list[str]:
     return words
 
 
-__all__ = ["ends_the_machine", "is_soon_over", "makes_a_file"]
+__all__ = ["ends_the_machine", "goes_on_behind", "is_soon_over", "makes_a_file"]

@@ -10,7 +10,7 @@ from archlint.execution import blocking
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.deadlock import threads_of
 from archlint.execution.own_buffers import fills_what_is_read_before, is_of_listener
-from archlint.model import EntityKind, ExecutorKind, GroupKind, Role
+from archlint.model import EntityKind, ExecutorKind, Group, GroupKind, Role
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in
@@ -64,7 +64,7 @@ def who_waits(code: SourceCode, call: ApiCall, program: Program, *, but_listener
     node = callback.node
     if node is None:
         return Waiting.UNKNOWN
-    nodes, besides = _spun_with(node, program), _all_besides(code, call, program)
+    nodes, besides = _spun_with(node, program), waits_besides(code, call, program)
     others = [each for each in besides if not but_listeners or each is None or not is_of_listener(code, each)]
     if others:
         return Waiting.SELDOM if all(map(_runs_seldom, others)) else Waiting.OTHERS
@@ -76,14 +76,16 @@ def who_waits(code: SourceCode, call: ApiCall, program: Program, *, but_listener
 
 def keeps_intake_alone(code: SourceCode, call: ApiCall, program: Program) -> bool:
     """Whether all that has to wait are timers that seldom run, and subscriptions that only keep what they are given."""
-    others = _all_besides(code, call, program)
+    others = waits_besides(code, call, program)
     return bool(others) and all(_runs_seldom(creation) or _only_keeps(code, creation) for creation in others)
 
 
-def _all_besides(code: SourceCode, call: ApiCall, program: Program) -> list[Creation | None]:
+def waits_besides(code: SourceCode, call: ApiCall, program: Program) -> list[Creation | None]:
     """What gives the executors of a callback's node anything to do besides it, for all nodes that they run."""
     node = call.context.node
     nodes = [] if node is None else _spun_with(node, program)
+    if threads_of(node, program) == blocking.SEVERAL and call.context.group == Group():
+        nodes = nodes[:1]  # each node has a default group of its own
     return [creation for spun in nodes for creation in _taken_in_besides(code, spun, call, program)]
 
 
@@ -217,4 +219,4 @@ def _is_between(place: Place | None, start: Place, end_line: int) -> bool:
     return place is not None and place.file == start.file and place > start and place.line <= end_line
 
 
-__all__ = ["Waiting", "blocks_nobody", "is_one_chain", "keeps_intake_alone", "who_waits"]
+__all__ = ["Waiting", "blocks_nobody", "is_one_chain", "keeps_intake_alone", "waits_besides", "who_waits"]

@@ -10,7 +10,7 @@ from archlint.analysis.order import is_called_in_branches
 from archlint.analysis.reach import argument, judged_calls
 from archlint.analysis.source_code import source_code
 from archlint.execution.callback_roles import runs_in_executor
-from archlint.execution.commands import ends_the_machine, is_soon_over, makes_a_file
+from archlint.execution.commands import ends_the_machine, goes_on_behind, is_soon_over, makes_a_file
 from archlint.execution.kept_waiting import blocks_nobody
 from archlint.execution.loop_times import in_loops
 from archlint.execution.openings import lets_settle
@@ -53,6 +53,7 @@ def long_stays(system: System) -> Iterator[LongStay]:
             or (stay.kind == "discovery" and is_there(system, call))
             or ends_with_the_node(code, call, stay)
             or ends_the_machine(code, call)
+            or (stay.kind == "process" and goes_on_behind(code, call))
             or (stay.kind in ("discovery", "process") and runs_once(system, call))
             or (stay.kind == "discovery" and (gives_up_at_a_miss(system, call) or ends_at_a_miss(code, call)))
             or (stay.kind in ("sleep", "process") and brings_up_again(code, call))
