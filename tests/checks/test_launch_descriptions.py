@@ -161,6 +161,28 @@ def test_an_action_that_nothing_adds(findings):
     assert told.severity is Severity.INFO
 
 
+OTHER = "talker = Node(package='robot', executable='listener')"
+
+
+def test_an_action_whose_variable_gets_another(findings):
+    (told,) = findings("LCH008", **_file(f"{OTHER}\n    return LaunchDescription([talker])"))
+    assert told.message == "this Node is lost: before it is added, line 7 gives 'talker' another action"
+    assert (told.place.line, told.severity) == (6, Severity.WARNING)
+
+
+@pytest.mark.parametrize(
+    "between",
+    [
+        f"described = LaunchDescription([talker])\n    {OTHER}\n    described.add_action(talker)\n    return described",
+        f"for _ in range(1):\n        {OTHER}\n    return LaunchDescription([talker])",
+        f"{OTHER[:-1]}, namespace=talker.name)\n    return LaunchDescription([talker])",
+        f"talker = {ONE}\n    return LaunchDescription([talker])",  # written twice, nothing is lost
+    ],
+)
+def test_an_action_that_is_used_before_its_variable_gets_another(findings, between):
+    assert findings("LCH008", **_file(between)) == []
+
+
 @pytest.mark.parametrize(
     "action",
     [

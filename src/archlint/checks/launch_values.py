@@ -238,7 +238,12 @@ def _of_description(file: str, wrong: WrongDescription) -> Finding:
         identity=(wrong.kind, wrong.given, wrong.of),
         group=(file, wrong.kind),
     )
-    return replace(diagnostic, severity=Severity.INFO) if wrong.kind == Wrong.NOT_ADDED else diagnostic
+    severity = _SEVERITIES.get(wrong.kind)
+    return diagnostic if severity is None else replace(diagnostic, severity=severity)
+
+
+_SEVERITIES = {Wrong.NOT_ADDED: Severity.INFO, Wrong.OVERWRITTEN: Severity.WARNING}
+"""Of what leaves an action out; launch stops at the others."""
 
 
 def _of_declaration(system: System, file: str, wrong: WrongDescription) -> Finding:
@@ -268,6 +273,11 @@ def _said(wrong: WrongDescription) -> tuple[str, str]:
         case Wrong.NOT_ADDED:
             text = f"nothing adds '{wrong.given}' to the launch description, so that launch never runs this {wrong.of}"
             return text, f"put '{wrong.given}' into the list of LaunchDescription(), or delete it"
+        case Wrong.OVERWRITTEN:
+            text = (
+                f"this {wrong.of} is lost: before it is added, line {wrong.wanted} gives '{wrong.given}' another action"
+            )
+            return text, "give each a variable of its own, and put both into the list of LaunchDescription()"
         case Wrong.TUPLE:
             text = f"'{wrong.given}' is a tuple, where launch wants an action: it stops with an AttributeError"
             return text, f"remove the comma behind the {wrong.of}, which makes the tuple"

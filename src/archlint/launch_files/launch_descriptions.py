@@ -16,6 +16,7 @@ from archlint.analysis.kept import kept_for_each_file
 from archlint.launch.files import GENERATE
 from archlint.launch_files.launch_code import names_from_launch
 from archlint.launch_files.opaque_functions import wrong_functions
+from archlint.launch_files.overwritten_actions import overwritten_actions
 from archlint.launch_files.unread_arguments import first_text, may_be_read
 from archlint.launch_files.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.syntax import facts
@@ -222,6 +223,8 @@ class _Code:
                 case facts.Call(span=span) as called if self.made(called) in ACTIONS:
                     yield WrongDescription(Wrong.COMMA, span, self.made(called))
         yield from self._not_added()
+        for function in everything_in(self.body, facts.Function):
+            yield from overwritten_actions(function.body, self.made, _ADDED)
         yield from wrong_functions(self.body, self.made)
 
     def describes(self, function: facts.Function) -> bool:

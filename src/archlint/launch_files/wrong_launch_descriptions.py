@@ -24,6 +24,8 @@ class Wrong(StringEnum):
     """It wants an argument, and launch passes none."""
     NOT_ADDED = "not added"
     """An action that nothing adds to the launch description."""
+    OVERWRITTEN = "overwritten"
+    """An action in a variable that is given another before anything adds the first: ``wanted`` is the line."""
     TUPLE = "tuple"
     """A comma behind an action makes a tuple of it."""
     COMMA = "comma"
