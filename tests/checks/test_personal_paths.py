@@ -158,3 +158,30 @@ def test_the_image_of_a_map(findings, image):
 )
 def test_the_image_of_a_map_that_others_find(findings, text, beside):
     assert findings("LCH014", node(""), **{"maps/hall.yaml": text, f"maps/{beside}": "P5"}) == []
+
+
+UNREAD = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    {lines}
+    return LaunchDescription([Node(package='robot', executable='talker', arguments=[{argument}])])
+"""
+
+
+@pytest.mark.parametrize(
+    ("value", "argument", "told"),
+    [
+        ("'/home/maria/ros2_ws/src/robot/maps/hall.yaml'", "", False),
+        ("os.path.join('/home/maria/ros2_ws/src/robot/maps/hall.yaml')", "", False),
+        ("'/home/maria/ros2_ws/src/robot/maps/hall.yaml'", "map_path", True),
+        ("'/home/maria/ros2_ws/src/robot/maps/hall.yaml'", "f'--map={map_path}'", True),
+        ("open('/home/maria/ros2_ws/src/robot/maps/hall.yaml')", "", True),
+    ],
+    ids=["a text", "a joined path", "it is given", "it is in a text", "a file is opened"],
+)
+def test_a_variable_that_nothing_reads(findings, value, argument, told):
+    """What it holds is a leftover: no machine misses the file."""
+    text = UNREAD.format(lines=f"map_path = {value}", argument=argument)
+    assert bool(findings("LCH014", node(""), **{"launch/python.launch.py": text}, **HALL)) is told

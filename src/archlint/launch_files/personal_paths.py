@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
@@ -14,7 +15,7 @@ from archlint.launch.parameter_sources import files_among
 from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import called_name
+from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
     from archlint.syntax.launch_elements import Element
@@ -126,8 +127,9 @@ _ASKS = frozenset({"exists", "isfile", "isdir", "is_file", "is_dir", "print", "L
 
 @kept_for_each_file
 def _of_code(file_facts: facts.Facts) -> list[_Text]:
-    """The texts of a launch file in Python, but for docstrings, descriptions, and paths that it only asks for."""
-    aside: set[int] = set()
+    """The texts of a launch file in Python, but for docstrings, descriptions, paths that it only asks for, and those
+    that a function gives a variable which nothing reads."""
+    aside = {id(part) for value in _never_read(file_facts) for part in everything_in([value])}
     for part in everything_in(file_facts.body):
         match part:
             case facts.Expression(value=facts.Literal() as docstring):
@@ -144,6 +146,25 @@ def _of_code(file_facts: facts.Facts) -> list[_Text]:
                 written = "".join(piece if isinstance(piece, str) else "{}" for piece in pieces)
                 texts.append((written, part.span))
     return texts
+
+
+def _never_read(file_facts: facts.Facts) -> Iterator[facts.Expr]:
+    """The values that functions give variables whose names occur nowhere else, but for those that a call makes: it may
+    do more than that."""
+    functions = list(everything_in(file_facts.body, facts.Function))
+    assigned = {id(row): row for function in functions for row in everything_in(function.body, facts.Assign)}
+    given = Counter(name for row in assigned.values() for to in row.targets for name in [to.variable] if name)
+    occur = Counter(part.id for part in everything_in(file_facts.body, facts.Name))
+    if "locals" in occur:
+        return
+    for row in assigned.values():
+        unread = all(to.variable and occur[to.variable] == given[to.variable] for to in row.targets)
+        calls = {called_name(call) for call in calls_in([row.value])}
+        if unread and calls <= _MAKES_PATHS:
+            yield row.value
+
+
+_MAKES_PATHS = frozenset({"Path", "PathJoinSubstitution", "join"})
 
 
 def _of_elements(workspace: WorkspaceIndex, file: str) -> Iterator[_Text]:
