@@ -435,3 +435,66 @@ def test_the_topics_of_a_loop_are_one_finding(tmp_path: Path, monkeypatch, count
         "/horn publishes '/horn_0' as std_msgs/msg/Int16, but /driver subscribes to it as std_msgs/msg/Bool: they are "
         f"never connected{told[count]}"
     )
+
+
+@pytest.mark.parametrize(("others", "told"), [(("driver",), 0), (("driver", "old_horn"), 1)])
+def test_a_module_that_no_entry_point_starts(tmp_path: Path, monkeypatch, others: tuple[str, ...], told: int):
+    """A launch file has it in a comment, and nothing else starts it beside the driver."""
+    monkeypatch.chdir(tmp_path)
+    driver = STEPS.format(kind="Driver", name="driver", lines=SAYS)
+    horn = STEPS.format(kind="Horn", name="horn", lines=HEARS.format(type="String")) + "\n\nmain()\n"
+    scripts = ", ".join(f"'{name} = robot.{name}:main'" for name in others)
+    setup = SETUP.replace("'talker = robot.talker:main'", scripts)
+    launch = node_xml(exec="driver") + "<!-- " + node_xml(exec="old_horn") + " -->"
+    files = {"setup.py": setup, "archlint.toml": 'select = ["TOP001"]', "robot/driver.py": driver}
+    write_robot(tmp_path, launch, **{"robot/old_horn.py": horn, **files})
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
+
+
+CAMERA = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Bool, Int16, String
+
+
+class Camera(Node):
+    def __init__(self):
+        super().__init__('camera')
+        self.create_subscription(String, self.text('settings', '/horn'), print, 10)
+
+    def text(self, name, default):
+        self.declare_parameter(name, default)
+        try:
+            found = self.get_parameter(name).get_parameter_value().string_value
+        except Exception:
+            found = default
+        return found
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Camera())
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [(["/texts", "/words"], 0), (["/texts", "/horn"], 1), (["/texts", ""], 1)],
+    ids=["each launch file gives another name", "one gives the default", "one gives none"],
+)
+def test_a_default_that_launch_files_replace(tmp_path: Path, monkeypatch, given: list[str], told: int):
+    """The code would go back to it if it could not read its own parameter."""
+    monkeypatch.chdir(tmp_path)
+    scripts = "'driver = robot.driver:main', 'camera = robot.camera:main'"
+    files = {
+        "setup.py": SETUP.replace("'talker = robot.talker:main'", scripts),
+        "archlint.toml": 'select = ["TOP001"]',
+        "robot/driver.py": STEPS.format(kind="Driver", name="driver", lines=SAYS),
+        "robot/camera.py": CAMERA,
+    }
+    for number, name in enumerate(given):
+        parameter = f'<param name="settings" value="{name}"/>' if name else ""
+        node = f'<node pkg="robot" exec="camera">{parameter}</node>'
+        files[f"launch/number{number}.launch.xml"] = f"<launch>{node}</launch>"
+    write_robot(tmp_path, **files)
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told

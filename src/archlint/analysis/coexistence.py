@@ -144,6 +144,9 @@ def _names_when_launched(system: System, end: Endpoint) -> frozenset[str | None]
     if blueprint is None or workspace is None:
         return frozenset([end.name])
     given = workspace.launched_names(blueprint, end.kind, end.place)
+    default = [other for other in end.node.endpoints if (other.kind, other.place) == (end.kind, end.place)] == [end]
+    if default and workspace.is_renamed_by_launch(blueprint, end.kind, end.place, end.name):
+        given -= {end.name}
     return given - {None} if given else frozenset([end.name])
 
 

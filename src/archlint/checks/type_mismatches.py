@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_not_installed
 from archlint.analysis.coexistence import (
     all_endpoints,
     conflicting_pairs,
@@ -69,7 +70,9 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
         conflicts = [
             pair
             for pair in pairs_of_types
-            if not _are_of_several_programs(system, *pair) and not _meet_without_namespace(*pair)
+            if not _are_of_several_programs(system, *pair)
+            and not _meet_without_namespace(*pair)
+            and not _is_left_out(system, *pair)
         ]
         torn = _with_several_types(conflicts)
         for ends in torn.values():
@@ -115,6 +118,16 @@ def _meet_without_namespace(endpoint: Endpoint, other: Endpoint) -> bool:
         return False
     written = [end.written for end in (endpoint, other)]
     return None not in written and len({(name or "").startswith("/") for name in written}) > 1
+
+
+def _is_left_out(system: System, endpoint: Endpoint, other: Endpoint) -> bool:
+    """Whether one of two nodes is of a module that its package installs no executable of, though it does of others:
+    nothing starts it beside them."""
+    if endpoint.node is other.node or system.closed or known_to_coexist(system, endpoint.node, other.node):
+        return False
+    nodes = [end.node for end in (endpoint, other) if not end.node.executables]
+    files = [node.blueprint.place.file for node in nodes if node.blueprint is not None]
+    return any(is_not_installed(system.workspace, file) for file in files)
 
 
 @once

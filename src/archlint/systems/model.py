@@ -272,6 +272,13 @@ class WorkspaceIndex:
                 names.setdefault((end.kind, end.place), set()).add(end.name if end.resolved else None)
         return frozenset(self._launched_names[key].get((kind, place), ()))
 
+    def is_renamed_by_launch(self, blueprint: Blueprint, kind: str, place: Place, name: str | None) -> bool:
+        """Whether every launch file that starts a node gives what it creates at a place another name than one, be it
+        that the code goes back to that where it cannot read a parameter."""
+        nodes = self._launched_nodes.get(key_of(blueprint), ())
+        ends = [[end for end in node.endpoints if (end.kind, end.place) == (kind, place)] for node in nodes]
+        return bool(nodes) and all(any(end.resolved and end.name not in (name, None) for end in row) for row in ends)
+
     @cached_property
     def _launched_nodes(self) -> Mapping[object, Sequence[Node]]:
         """What launch files start, by :func:`key_of`."""
