@@ -631,3 +631,52 @@ class TestInvalidName:
 def test_a_name_that_the_node_resolves_follows_its_namespace(judge: Judge):
     judge("NME001", script("node.create_publisher(String, node.resolve_topic_name('words'), 10)"))
     judge("NME001", script("node.create_publisher(String, node.resolve_topic_name('/words'), 10)  # here"))
+
+
+@pytest.mark.parametrize(
+    ("lines", "others"),
+    [
+        (
+            (
+                "name = 'base/' + '/%s'",
+                "node.create_publisher(String, name % 'left', 10)  # here",
+                "node.create_publisher(String, name % 'right', 10)",
+            ),
+            "; another name of the file goes the same way",
+        ),
+        (
+            (
+                "base = 'base/'",
+                "node.create_publisher(String, base + '/left', 10)  # here",
+                "node.create_client(Trigger, base + '/go')",
+                "for side in ('right', 'rear'):",
+                "    node.create_publisher(String, f'{base}/{side}', 10)",
+            ),
+            "; 3 more names of the file go the same way",
+        ),
+        (
+            (
+                "for leg in ('fl', 'fr', 'rl'):",
+                "    node.create_publisher(String, f'{leg}//go', 10)  # here",
+            ),
+            "; 2 more names of the file go the same way",
+        ),
+        (("node.create_publisher(String, 'base//left', 10)  # here",), ""),
+    ],
+    ids=["a pattern", "one beginning", "one line of a loop", "a single name"],
+)
+def test_names_that_one_text_makes_wrong_are_one_finding(judge: Judge, lines: tuple[str, ...], others: str):
+    [finding] = judge("NME002", script(*lines))
+    assert finding.message.endswith("topic name must not contain repeated '/'" + others)
+    assert all(related.message.endswith("' is used here") for related in finding.related[-len(lines) + 2 :])
+
+
+def test_names_that_are_wrong_for_themselves_are_told_each(judge: Judge):
+    judge(
+        "NME002",
+        script(
+            "node.create_publisher(String, 'left-wheel', 10)  # here",
+            "node.create_publisher(String, 'right-wheel', 10)  # here",
+            "node.create_publisher(String, 'left/1', 10)  # here",
+        ),
+    )

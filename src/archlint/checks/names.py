@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.folding import folds, with_other_places
+from archlint.checks.folding import folds, with_other_places, with_others
 from archlint.checks.launched_names import is_given_by_launch, is_renamed, names_given_by_launch
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -112,14 +112,46 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
 
 
 def _cause(endpoint: Endpoint, relative: str | None, by_parameter: bool) -> tuple[str, ...]:
-    """What the names of a function have in common: the namespace that is empty, or the default of their parameters."""
+    """What the names of a function have in common: the namespace that is empty, or the default of their parameters; or
+    what those of a file may have in common, which :func:`_by_literal` tells."""
     where = (endpoint.creation.place.file, endpoint.creation.function)
     if relative is not None:
         return (*where, _NO_NAMESPACE, "")
-    return (*where, _DEFAULT, endpoint.written or "", endpoint.parameter or "") if by_parameter else ()
+    if by_parameter:
+        return (*where, _DEFAULT, endpoint.written or "", endpoint.parameter or "")
+    origin = endpoint.creation.name.origin or endpoint.creation.name_place
+    written = "" if origin is None else f"{origin.file}:{origin.span}"
+    return (where[0], "", _LITERAL, endpoint.error or "", _up_to_the_fault(endpoint), written)
 
 
-_NO_NAMESPACE, _DEFAULT = "no namespace", "default"
+_NO_NAMESPACE, _DEFAULT, _LITERAL = "no namespace", "default", "literal"
+
+
+def _up_to_the_fault(endpoint: Endpoint) -> str:
+    """How a name begins, up to what is wrong with it; empty where that is its first character."""
+    shown, complete = endpoint.written or "", endpoint.name or ""
+    for text, wrong in ((shown, names.validate_topic_name(shown)), (complete, names.validate_full_name(complete))):
+        if wrong is not None:
+            return text[: wrong.index + 1] if wrong.index else ""
+    return ""
+
+
+def _by_literal(several: Sequence[Finding]) -> Iterable[Sequence[Finding]]:
+    """The findings of a file by the text that makes the names wrong: one line makes all of them, or they begin alike up
+    to what is wrong."""
+    if _LITERAL not in several[0].group[2:3]:
+        return (several,)
+    rows: list[list[Finding]] = []
+    for each in several:
+        alike = [row for row in rows if any(_share_literal(each, other) for other in row)]
+        rows = [row for row in rows if row not in alike]
+        rows.append([*(other for row in alike for other in row), each])
+    return rows
+
+
+def _share_literal(first: Finding, second: Finding) -> bool:
+    (*_, start, origin), (*_, other_start, other_origin) = first.group, second.group
+    return (start != "" and start == other_start) or (origin != "" and origin == other_origin)
 
 
 def _is_empty_at_first(creation: Creation) -> bool:
@@ -170,11 +202,14 @@ def _relative(endpoint: Endpoint) -> str | None:
     return rest if shown.startswith("//") and rest and names.validate_topic_name(rest) is None else None
 
 
-@folds("NME002", common=4)
+@folds("NME002", common=4, rows=_by_literal)
 def _of_one_cause(several: Sequence[Finding]) -> Finding:
     """One finding for all names that a function begins with an empty namespace, or has of parameters with the same
-    default."""
+    default, or that one text of a file makes wrong."""
     first, *others = several
+    if _LITERAL in first.group[2:3]:
+        told = [replace(each, message=f"'{each.identity[2]}' is used here") for each in others]
+        return with_others([first, *told], "another name of the file goes", "more names of the file go", "the same way")
     if _DEFAULT in first.group[2:3]:
         parameters = dict.fromkeys(f"'{other.group[4]}'" for other in others if other.group[4] != first.group[4])
         more = f"; so is the default of {listed([*parameters])}" if parameters else ""
