@@ -125,3 +125,20 @@ def test_what_a_package_offers_is_for_others_to_call(tmp_path: Path) -> None:
 
 def test_names_that_a_list_of_exports_has_call_nothing(tmp_path: Path) -> None:
     assert told(tmp_path, IDLE, f"__all__ = ['Brake', 'stop']\n{PARTS}") == []
+
+
+@pytest.mark.parametrize(
+    ("lines", "reached"),
+    [
+        ("if False:\n        stop()", []),
+        ("if 0:\n        stop()\n    else:\n        Horn()", [3]),
+        ("while False:\n        Brake().press()", []),
+        ("if True:\n        Horn()\n    else:\n        stop()", [3]),
+        ("if False:\n        print(missing_5)", []),
+        ("if DEBUG:\n        stop()", [4]),
+        ("while True:\n        stop()", [4]),
+    ],
+)
+def test_what_a_literal_condition_switches_off_names_nothing(tmp_path: Path, lines: str, reached: list[int]) -> None:
+    program = f"from car.parts import Brake, Horn, stop\n\nDEBUG = False\n\n\ndef main():\n    {lines}\n"
+    assert told(tmp_path, program) == reached

@@ -19,7 +19,8 @@ from archlint.analysis.kept import kept, kept_for_each_file, once
 from archlint.analysis.uncalled_methods import is_tried_alone
 from archlint.records import dataclass
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in, names_in
+from archlint.syntax.flow_facts import covers
+from archlint.syntax.parts import Itself, everything_in
 from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
@@ -30,8 +31,12 @@ if TYPE_CHECKING:
 
 def is_unreached(workspace: WorkspaceIndex | None, place: Place) -> bool:
     """Whether a place is in a function, a method or a class to which no program here comes, though programs load its
-    file.  What a package without programs offers is for others to call."""
-    if workspace is None or not place.file.endswith(".py") or workspace.roles.is_test(place.file):
+    file, or below an ``if False:``.  What a package without programs offers is for others to call."""
+    if workspace is None or not place.file.endswith(".py"):
+        return False
+    if any(covers(statement, place.span) for statement in _switched_off(workspace, place.file) or ()):
+        return True
+    if workspace.roles.is_test(place.file):
         return False
     blocks = _blocks(workspace, place.file)
     if blocks is None or is_for_others(workspace, place.file):
@@ -183,13 +188,32 @@ def _block(
     is_called: bool = False,
 ) -> _Block:
     every = [*everything_in(parts)]
+    off = {Itself(part) for statement in _never_run(every) for part in everything_in([statement])}
+    every = [part for part in every if Itself(part) not in off] if off else every
     texts = (part.value for part in every if isinstance(part, facts.Literal) and isinstance(part.value, str))
     words = {word for text in texts if _WORDS.fullmatch(text) for word in re.split(r"\W+", text)}
     froms = (part for part in every if isinstance(part, facts.ImportFrom))
     renamed = {imported for part in froms for imported, bound in part.names if imported != bound}
-    names = names_in(parts) | words | renamed
+    names = {part.last_name for part in every if part.last_name} | words | renamed
     of_texts = not _RUNNING_TEXTS.isdisjoint(names)
     return _Block(name, owner, span[0], span[2], sorted(names), list(bases), is_called, _asks_itself(every), of_texts)
+
+
+@kept_for_each_file
+def _switched_off(code: facts.Facts) -> list[facts.Stmt]:
+    """The statements of a file that no run comes to, whatever calls the code around them."""
+    return [*_never_run(everything_in(code.body))]
+
+
+def _never_run(every: Iterable[facts.Base]) -> Iterator[facts.Stmt]:
+    """The statements below literal conditions that never hold: ``if False:``, ``while 0:``, the ``else`` of
+    ``if True:``."""
+    for part in every:
+        match part:
+            case facts.If(test=facts.Literal(value=bool() | int() as test), body=body, orelse=orelse):
+                yield from orelse if test else body
+            case facts.While(test=facts.Literal(value=bool() | int() as test), body=body) if not test:
+                yield from body
 
 
 def _asks_itself(every: Iterable[facts.Base]) -> bool:
