@@ -780,3 +780,22 @@ def test_a_line_that_its_author_has_looked_at(judge: Judge, comment: str) -> Non
 def test_a_comment_about_something_else(judge: Judge, comment: str) -> None:
     body = f"        self.get_logger().info(session)  {comment}  # here"
     assert len(judge("API005", NODE.format(body=body))) == 1
+
+
+@pytest.mark.parametrize(
+    ("lines", "help"),
+    [
+        (("word = Twist()", "self.pub.publish(word)"), "define it, or remove the line"),
+        (("self.pub.publish(Twist())",), "define it, or remove the line"),
+        (("word = Twist()", "self.other.publish(word)"), "write `from geometry_msgs.msg import Twist`"),
+        (("word = Twist()", "print(word)"), "write `from geometry_msgs.msg import Twist`"),
+    ],
+    ids=["from a variable", "at once", "a publisher from elsewhere", "not published"],
+)
+def test_a_message_for_a_publisher_of_another_type_is_no_missing_import(
+    judge: Judge, lines: tuple[str, ...], help: str
+):
+    marked = "\n".join(f"{row}  # here" if "Twist()" in row else row for row in _node(*lines).splitlines())
+    (finding,) = judge("API005", marked)
+    assert finding.message == "nothing defines 'Twist': this line fails with a NameError"
+    assert finding.help == help

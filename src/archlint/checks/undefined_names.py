@@ -17,6 +17,7 @@ from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.missing_imports import missing_imports
 from archlint.python_code.how_imported import defined_beside, idle_import_with, import_of, interface_meant
 from archlint.python_code.names_meant import exception_meant, first_use, node_class_meant, node_spun
+from archlint.python_code.published_types import is_published_as_another
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
 from archlint.python_code.undefined_beside import stops_a_launch
@@ -275,6 +276,8 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         statement = import_of(
             workspace, read.name, file=read.place.file, in_launch_file=in_launch_file, called=read.called
         )
+    if ".msg " in statement and is_published_as_another(workspace, read.place, read.name):
+        statement = ""  # whatever the publisher sends, it is no message of that type
     if not near and not statement and len(read.name) >= _SHORT and not in_launch_file:
         statement = defined_beside(workspace, read.place.file, read.name)
     if not near and not statement and len(read.name) >= _SHORT:
