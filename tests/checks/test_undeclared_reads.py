@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
 from checks.judging import Judge
 
 NODE = """
@@ -48,3 +49,76 @@ def test_a_tilde_before_a_name_that_nothing_declares(judge: Judge, name: str):
 
 def test_a_tilde_that_is_declared(judge: Judge):
     judge("PRM003", _node("print(self.get_parameter('~own').value)"))
+
+
+CPP = """
+#include <rclcpp/rclcpp.hpp>
+
+class Odometry : public rclcpp::Node
+{{
+public:
+  Odometry() : Node("odometry")
+  {{
+    double scale = 1.0;
+    double turn = 1.0;
+    {lines}
+  }}
+}};
+
+int main(int argc, char ** argv)
+{{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Odometry>());
+}}
+"""
+KEEPS = "get_parameter() returns false, and the variable keeps its value whatever is set"
+
+
+@pytest.mark.parametrize(
+    ("lines", "severity", "message"),
+    [
+        (
+            'get_parameter("scale", scale);',
+            Severity.WARNING,
+            f"parameter 'scale' is read, but Odometry never declares it: {KEEPS}",
+        ),
+        (
+            'get_parameter("scale", scale); this->get_parameter<double>("turn", turn);',
+            Severity.WARNING,
+            f"Odometry reads 2 parameters that it never declares, scale, turn: {KEEPS}",
+        ),
+        (
+            'scale = get_parameter("scale").as_double();',
+            Severity.ERROR,
+            "parameter 'scale' is read, but Odometry never declares it",
+        ),
+    ],
+    ids=["into a variable", "two of them", "a read that throws"],
+)
+def test_what_becomes_of_a_read_in_cpp(findings, lines: str, severity: Severity, message: str):
+    (found,) = findings("PRM003", **{"src/odometry.cpp": CPP.format(lines=lines)})
+    assert (found.severity, found.message) == (severity, message)
+
+
+@pytest.mark.parametrize("lines", ['declare_parameter("scale", 1.0); get_parameter("scale", scale);', ""])
+def test_a_read_in_cpp_that_finds_its_parameter(findings, lines: str):
+    assert findings("PRM003", **{"src/odometry.cpp": CPP.format(lines=lines)}) == []
+
+
+GTEST = """
+#include <gtest/gtest.h>
+#include <rclcpp/rclcpp.hpp>
+
+TEST(Odometry, knows_no_scale)
+{
+  auto node = std::make_shared<rclcpp::Node>("odometry");
+  double scale = 1.0;
+  EXPECT_FALSE(node->get_parameter("scale", scale));
+  EXPECT_ANY_THROW(node->get_parameter("scale"));
+}
+"""
+
+
+@pytest.mark.parametrize("path", ["test/test_odometry.cpp", "src/odometry_checks.cpp"])
+def test_a_read_in_a_test_of_cpp(findings, path: str):
+    assert findings("PRM003", **{path: GTEST}) == []

@@ -74,6 +74,21 @@ def wrong_accessors(system: System, read: Place, kind: ParameterType) -> Iterato
             yield WrongAccessor(Place(read.file, *span), f"{row[1]}()", _BY_TYPE[kind])
 
 
+def keeps_variable(system: System, read: Place) -> bool:
+    """Whether a call is a ``get_parameter(name, variable)``, which throws nothing: it returns false and leaves the
+    variable as it is where nothing declares the parameter."""
+    text = None if system.workspace is None or read.file.endswith(".py") else system.workspace.tree.text(read.file)
+    if text is None:
+        return False
+    written = text[_offset(text, read.line, read.column) : _offset(text, read.end_line, read.end_column)]
+    _, _, given = _TEXT.sub("", written).partition("get_parameter")
+    return _TWO_ARGUMENTS.fullmatch(given) is not None
+
+
+_TEXT = re.compile(r'"(?:[^"\\\n]|\\.)*"')
+_TWO_ARGUMENTS = re.compile(r"\s*(?:<[^()]*>)?\s*\([^,]*,[^,]*\)", re.DOTALL)
+
+
 def _is_chosen_by_type(text: str, at: int) -> bool:
     """Whether an ``if`` around a read asks for a type: of ``if constexpr (std::is_same_v<T, int>)`` only the branch for
     the ``T`` of the object is compiled, and which that is the call does not say."""
@@ -129,4 +144,4 @@ def _position(text: str, offset: int) -> tuple[int, int]:
     return text.count("\n", 0, offset) + 1, offset - (text.rfind("\n", 0, offset) + 1) + 1
 
 
-__all__ = ["WrongAccessor", "wrong_accessors"]
+__all__ = ["WrongAccessor", "keeps_variable", "wrong_accessors"]

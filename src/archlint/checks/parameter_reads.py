@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.cpp_parameter_reads import keeps_variable
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed
 from archlint.analysis.parameter_uses import is_passed_on, names_listed
 from archlint.checks.folding import folds, with_others
@@ -31,9 +32,21 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
         declared = declared_by(node)
         for call, name, place in undeclared_reads(system, node):
             diagnostic = _undeclared(node, call, name, place, declared or {})
+            if keeps_variable(system, call.place):
+                diagnostic = _keeping(diagnostic, name)
             used = call.context.role != Role.METHOD  # what nothing calls raises nothing
             yield diagnostic if used else replace(diagnostic, severity=Severity.INFO)
     yield from map(unset_parameter, unset_parameters(system))
+
+
+def _keeping(diagnostic: Finding, name: str) -> Finding:
+    """What becomes of a read in C++ that writes into a variable: it raises nothing."""
+    message = f"{diagnostic.message}: {_KEEPS}"
+    group = (*diagnostic.group, _KEEPS)
+    return replace(diagnostic, message=message, severity=Severity.WARNING, group=group)
+
+
+_KEEPS = "get_parameter() returns false, and the variable keeps its value whatever is set"
 
 
 def undeclared_reads(system: System, node: Node) -> Iterator[tuple[ApiCall, str, Place]]:
@@ -41,7 +54,7 @@ def undeclared_reads(system: System, node: Node) -> Iterator[tuple[ApiCall, str,
     declared = declared_by(node)
     if node.blueprint is None or declared is None or node.program is None or node.program.exhausted:
         return
-    if not node.blueprint.just_rclpy or not followed(node):
+    if not node.blueprint.just_rclpy or not followed(node) or _is_of_gtest(system, node.blueprint.place):
         return
     calls = [call for call in node.program.calls if call.node is node.blueprint]
     guarded = {name_asked_for(call) for call in calls if call.api.endswith(".has_parameter")}
@@ -49,6 +62,13 @@ def undeclared_reads(system: System, node: Node) -> Iterator[tuple[ApiCall, str,
         for name, place in _reads(system, call):
             if not (always_declared(name) or name in declared or name in guarded or call.in_try):
                 yield call, name, place
+
+
+def _is_of_gtest(system: System, place: Place) -> bool:
+    """Whether a node is made in a test of C++, which may well ask what a read does."""
+    if place.file.endswith(".py") or system.workspace is None:
+        return False
+    return system.workspace.roles.is_test(place.file) or system.workspace.code.mentions(place.file, "gtest")
 
 
 def _reads(system: System, call: ApiCall) -> Iterator[tuple[str, Place]]:
@@ -97,20 +117,23 @@ def _of_one_node(findings: Sequence[Finding]) -> Finding:
     first, *others = findings
     cls, _ = first.identity
     names = list(dict.fromkeys(other.identity[1] for other in findings))
-    if len(names) > 1 and first.group[-1] == _TILDE:
+    if len(names) > 1 and first.group[2] == _TILDE:
         return replace(
             with_others(findings, "another name has", "more names have", "a ~, too", beside="this name has a ~, too"),
             identity=(cls, *names),
         )
-    if len(names) > 1 and first.group[-1] == UNSET:
+    if len(names) > 1 and UNSET in first.group:
         return replace(
             with_others(findings, "another one has", "more have", "no value, either"), identity=(cls, *names)
         )
     if len(names) == 1:
         return replace(first, related=(*first.related, *(Related(other.place, "and here") for other in others)))
+    keeps = f": {_KEEPS}" if _KEEPS in first.group else ""
     return replace(
         first,
-        message=f"{cls} reads {len(names)} parameters that it never declares: {listed(names)}",
+        message=f"{cls} reads {len(names)} parameters that it never declares, {listed(names)}{keeps}"
+        if keeps
+        else f"{cls} reads {len(names)} parameters that it never declares: {listed(names)}",
         help=f"declare each first: {_declaration(names[0], first.place)}",
         related=(*first.related, *(Related(other.place, f"'{other.identity[1]}' is read here") for other in others)),
         identity=(cls, *names),
