@@ -51,6 +51,7 @@ from archlint.execution.called_by_hand import is_command, is_driven_by_hand
 from archlint.execution.client_loops import is_for_each_client
 from archlint.execution.own_timers import ends_its_timer_before
 from archlint.execution.present_servers import is_there
+from archlint.execution.same_servers import has_answered_elsewhere
 from archlint.finding import Finding, Severity
 from archlint.model import Role
 from archlint.string_enum import StringEnum
@@ -87,6 +88,7 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         and (minor or not _is_minor(system, program, call) or (lesson and not _is_command(system, program, call)))
         and not (is_ended_by_hand(system, call) and _is_minor(system, program, call))
         and not is_there(system, call)
+        and not has_answered_elsewhere(system, call)
         and not _has_waited_at_start(system, program, call)
         and not is_second_wait(system, program, call)
         and not _is_in_a_loop_that_tells(system, call)
