@@ -116,6 +116,8 @@ def test_a_node_that_does_not_get_the_namespace_of_each_include_is_told_once_whe
         (2, "it is first included here"),
         (3, "it is included again here"),
     ]
+    (taken,) = findings("NME004", **_robot(ITS_OWN, node(name="driver")))  # the namespace has one of that name
+    assert taken.help == "start it once, outside of robot.launch.xml"
     (several,) = findings("NME004", **_robot(node(name="map"), ITS_OWN, node(name="marker")))
     assert "2 get none, such as '/map': they are started twice" in several.message
     assert (several.place.line, several.related[0].place.line) == (3, 5)

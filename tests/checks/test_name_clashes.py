@@ -100,6 +100,27 @@ def test_nodes_that_the_code_calls_alike_are_not_renamed_by_the_launch_file(find
     assert found.help == "give each its own name in the code, and remove name= here"
 
 
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        ("super().__init__('helper')", 1),
+        ("self.rate = 1.0", 0),
+        ("raise RuntimeError('no camera')\n        super().__init__('helper')", 0),
+    ],
+    ids=["a second node", "it forgets to call the constructor", "it raises before"],
+)
+def test_an_object_that_never_becomes_a_node(findings, lines: str, told: int):
+    """Nothing of it is there under any name, so that ``name=`` renames one node."""
+    helper = (
+        f"class Helper(Node):\n    def __init__(self):\n        {lines}\n        self.create_timer(1.0, print)\n\n\n"
+    )
+    first = "super().__init__('talker')"
+    talker = TALKER.replace(first, f"{first}\n        self.helper = Helper()").replace(
+        "class Talker", f"{helper}class Talker"
+    )
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": talker})) == told
+
+
 def test_nodes_that_ros_refuses_to_start_do_not_meet(findings):
     assert findings("NME004", node(namespace="2nd") * 2) == []
     assert len(findings("NME004", node(namespace="second") * 2)) == 1

@@ -54,7 +54,7 @@ def of_includes(included: Mapping[Again, Sequence[Twins]], nodes: Sequence[Node]
             yield _of_a_stack(place, [leads_from(again) for again in several], several)
     for again, twins in left.items():
         apart = _namespaces_of_each(again, twins, nodes)
-        yield _of_an_include(again, twins) if apart is None else _without_namespace(again, twins, apart)
+        yield _of_an_include(again, twins) if apart is None else _without_namespace(again, twins, apart, nodes)
 
 
 def _first(again: Again) -> tuple[Place, ...]:
@@ -127,7 +127,16 @@ def _are_apart(again: Again, first: Started | None, second: Started | None) -> b
     return known and first.namespace.text != second.namespace.text and included_twice(first, second) == again
 
 
-def _without_namespace(again: Again, several: Sequence[Twins], apart: tuple[Node, Node]) -> Finding:
+def _are_there_already(names: Sequence[str], apart: tuple[Node, Node], nodes: Sequence[Node]) -> bool:
+    """Whether a node of one of some names is in a namespace that the includes would give it, too."""
+    taken = {node.name for node in nodes}
+    spaces = [(node.name or "").rpartition("/")[0] for node in apart]
+    return any(f"{space}/{name.rpartition('/')[2]}" in taken for name in names for space in spaces)
+
+
+def _without_namespace(
+    again: Again, several: Sequence[Twins], apart: tuple[Node, Node], nodes: Sequence[Node]
+) -> Finding:
     """What is told where the file gives other nodes the namespace of the include: the same for all that include it."""
     places = sorted(node.launch_place for node, _ in several if node.launch_place is not None)
     names = sorted(node.name or "" for node, _ in several)
@@ -141,7 +150,9 @@ def _without_namespace(again: Again, several: Sequence[Twins], apart: tuple[Node
         places[0],
         f"{file} is included twice, each time with another namespace for its nodes, but {what} started twice under one "
         "name",
-        help=f"give it namespace=, too, or start it once, outside of {file}",
+        help=f"start it once, outside of {file}"
+        if _are_there_already(names, apart, nodes)
+        else f"give it namespace=, too, or start it once, outside of {file}",
         related=[
             *(Related(place, "this one, too") for place in places[1:]),
             *(Related(place, "this one gets the namespace") for place in beside),

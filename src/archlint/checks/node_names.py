@@ -71,7 +71,18 @@ def _coexist(system: System, node: Node, other: Node) -> bool:
         return False  # who starts the program may never meet the condition
     if node.started is not other.started:
         return True
+    if any(_is_never_initialised(each) for each in (node, other)):
+        return False
     return not (_gone_before(node, other) or _gone_before(other, node) or _in_other_branches(node, other))
+
+
+def _is_never_initialised(node: Node) -> bool:
+    """Whether a process makes an object of a class of nodes that comes to no ``Node.__init__()``: it forgets to call
+    it, or raises an exception before it does."""
+    blueprint, program = node.blueprint, node.program
+    if blueprint is None or program is None or blueprint.caller_unknown:
+        return False
+    return not blueprint.constructed and blueprint.complete and not program.exhausted
 
 
 _TOOLS = frozenset(
