@@ -76,3 +76,28 @@ def test_a_file_that_is_there_or_may_be(findings, lines: str, files: dict[str, s
 def test_a_module_that_no_program_runs(findings):
     helper = "import os\n\nWORDS = open(os.path.join(os.path.dirname(__file__), 'words.json'))\n"
     assert findings("PKG004", **of_talker("", **{"robot/tool.py": helper})) == []
+
+
+INTO = "    data_files=[('lib/python3.8/site-packages/robot/' + 'words', ['robot/words/{}'])],\n    packages="
+
+
+@pytest.mark.parametrize(
+    ("installed", "readme", "told"),
+    [
+        ("en.json", "For ROS 2 Foxy.", 0),
+        ("en.json", "", 0),
+        ("*.json", "For ROS 2 Foxy.", 0),
+        ("en.json", "For ROS 2 Humble.", 1),
+        ("de.json", "For ROS 2 Foxy.", 1),
+    ],
+    ids=["its Python", "no distribution is named", "by a pattern", "another Python", "another file"],
+)
+def test_a_file_that_data_files_puts_beside_the_modules(findings, installed: str, readme: str, told: int):
+    """The folder has the version of Python in its name, which is that of one release of Ubuntu."""
+    setup = INSTALLED.replace("    data_files=", "    data=").replace("    packages=", INTO.format(installed))
+    if "*" in installed:
+        setup = "from glob import glob\n" + setup.replace("['robot/words/*.json']", "glob('robot/words/*.json')")
+    files = {"setup.py": setup, "robot/words/en.json": "{}", "robot/words/de.json": "{}", "README.md": readme}
+    opens = "WORDS = open(os.path.join(os.path.dirname(__file__), 'words/en.json'))"
+    found = findings("PKG004", **of_talker(opens, **files))
+    assert len([row for row in found if row.place.file == "robot/talker.py"]) == told

@@ -7,14 +7,17 @@ runs them from the source.
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.analysis.pinned import names_no_distro, ubuntu_releases
 from archlint.packaging.own_folder_paths import FILE, of_file, paths_beside
 from archlint.packaging.uninstalled_files import understood
 from archlint.place import Place
 from archlint.records import dataclass
+from archlint.ros.distros import PYTHON
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -50,7 +53,25 @@ def data_beside_code(workspace: WorkspaceIndex) -> Iterator[DataBeside]:
                 inside = wanted.startswith(f"{installs.folder}/") or installs.folder == "."
                 if inside and (is_folder or workspace.tree.is_file(wanted)) and not _is_code(workspace, wanted):
                     below, module = (_below(installs, each) for each in (wanted, file))
+                    if _is_brought_beside(workspace, installs, wanted, below):
+                        continue
                     yield DataBeside(name, module, below, Place(file, *span), is_folder)
+
+
+def _is_brought_beside(workspace: WorkspaceIndex, installs: Installs, wanted: str, below: str) -> bool:
+    """Whether ``data_files=`` puts a file, or all files of a folder, beside the modules itself, for the Python that the
+    distributions of the workspace have: ``('lib/python3.8/site-packages/robot', ['words.json'])``."""
+    pythons = {PYTHON[release] for release in ubuntu_releases(workspace)}
+    folders = [match for row in installs.files for match in [_BESIDE_MODULES.match(f"{row.destination}/")] if match]
+    tops = {match[0] for match in folders if names_no_distro(workspace) or pythons == {match["python"]}}
+    files = workspace.tree.files_below(wanted) if workspace.tree.is_folder(wanted) else [wanted]
+    paths = [posixpath.normpath(f"{below}/{posixpath.relpath(file, wanted)}") for file in files]
+    return any(
+        all(any(map(workspace.tree.is_file, installs.source_of(f"{top}{path}"))) for path in paths) for top in tops
+    )
+
+
+_BESIDE_MODULES = re.compile(r"lib/python(?P<python>3\.\d+)/(?:site|dist)-packages/")
 
 
 def _run_by_programs(workspace: WorkspaceIndex, installs: Installs) -> frozenset[str]:

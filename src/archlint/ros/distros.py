@@ -17,3 +17,5 @@ UBUNTU: Mapping[str, str] = {
     "rolling": "resolute",
 }
 """The release of Ubuntu that each is built for, by REP 2000."""
+PYTHON: Mapping[str, str] = {"focal": "3.8", "jammy": "3.10", "noble": "3.12", "resolute": "3.14"}
+"""The version of Python that each release of Ubuntu has."""
