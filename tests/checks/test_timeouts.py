@@ -244,6 +244,41 @@ def test_a_call_of_a_function_that_nothing_calls_is_information(judge: Judge):
     assert script_calls.severity is Severity.WARNING
 
 
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [("Asker()", 0), ("rclpy.spin(Asker())", 1), ("threading.Thread(target=rclpy.spin, args=(Asker(),)).start()", 1)],
+    ids=["nothing spins it", "it is spun", "a thread spins it"],
+)
+def test_a_call_that_nothing_comes_to_of_a_node_that_nothing_spins(judge: Judge, line: str, expected: int):
+    """It would wait for ever, and a limit would always expire: whoever calls it has to spin the node first."""
+    text = f"""
+        import threading
+        import rclpy
+        from rclpy.node import Node
+        from std_srvs.srv import Trigger
+
+
+        class Asker(Node):
+            def __init__(self):
+                super().__init__('asker')
+                self.client = self.create_client(Trigger, 'far')
+                rclpy.spin_once(self, timeout_sec=1.0)
+
+            def ask(self):
+                return self.client.call(Trigger.Request()){"  # here" * expected}
+
+
+        def main():
+            rclpy.init()
+            {line}
+
+
+        if __name__ == '__main__':
+            main()
+    """
+    judge("TMO002", text)
+
+
 @pytest.mark.parametrize(("config", "expected"), [("", 0), ("[rules.TMO002]\nuncalled = true\n", 1)])
 def test_in_a_large_workspace_a_function_that_nothing_calls_is_for_those_who_ask(
     judge: Judge, config: str, expected: int

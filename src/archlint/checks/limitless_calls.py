@@ -40,6 +40,7 @@ from archlint.execution.deadlock import CALL
 from archlint.execution.joined_threads import stuck_joins
 from archlint.execution.paces import runs_beside_itself
 from archlint.execution.piling_waits import piling_up
+from archlint.execution.spins import is_spun_by_constructors_alone
 from archlint.execution.stuck import spoken_of
 from archlint.execution.threaded_waits import threaded_waits
 from archlint.execution.threads import is_daemon
@@ -74,8 +75,16 @@ def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         _limitless_call(system, program, call, distros)
         for program, call in _limitless(system, options)
         if not is_unanswerable(program, call) and (uncalled or not is_uncalled(call))
+        if not (is_uncalled(call) and _is_of_no_use(program, call))
         if seldom or not (_asks_once(system, program, call) or _is_shown(call))
     )
+
+
+def _is_of_no_use(program: Program, call: ApiCall) -> bool:
+    """Whether nothing spins the node of a call once it is made: the call would wait for ever, and a limit would always
+    expire, so that whoever calls it has to begin with that."""
+    node = call.node if call.creation is None else call.creation.node
+    return node is not None and is_spun_by_constructors_alone(program, node)
 
 
 def _is_shown(call: ApiCall) -> bool:

@@ -151,6 +151,17 @@ def is_never_spun_at_all(code: SourceCode, program: Program, node: Blueprint) ->
     return bool(spells) and all(_is_behind_endless_call(code, program, spell.place) for spell in spells)
 
 
+def is_spun_by_constructors_alone(program: Program, node: Blueprint) -> bool:
+    """Whether an executable that is seen from end to end spins a node in constructors at most: once it is made, nothing
+    takes in what comes for it."""
+    seen = program.executable and not program.exhausted and node.complete
+    if not seen or node.caller_unknown or node.escapes or node.runs_elsewhere:
+        return False
+    if node.executor == ExecutorKind.UNKNOWN or any(use.in_thread for use in program.executors_of(node)):
+        return False
+    return all(_is_of_constructor(call) for call in program.calls if is_spin_call(call))
+
+
 def _is_of_constructor(call: ApiCall) -> bool:
     """Whether a constructor spins, be it in a method that it calls."""
     functions = (call.function, *(hop.caller for hop in call.chain))
