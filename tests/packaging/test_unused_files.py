@@ -158,10 +158,12 @@ SEARCHES = SETUP.replace("import setup\n", "import find_packages, setup\n").repl
 MODULE = """import rclpy
 from rclpy.node import Node
 
+NAME = missing
+
 
 class Probe(Node):
     def __init__(self):
-        super().__init__(missing)
+        super().__init__(NAME)
 """
 PROBE = "robot/robot/probes/probe.py"
 
