@@ -88,12 +88,17 @@ KEEPS = "get_parameter() returns false, and the variable keeps its value whateve
             f"Odometry reads 2 parameters that it never declares, scale, turn: {KEEPS}",
         ),
         (
+            'declare_parameter("scale", 1.0); get_parameter("scal", scale);',
+            Severity.WARNING,
+            f"parameter 'scal' is read, but Odometry never declares it: {KEEPS}; did you mean 'scale'?",
+        ),
+        (
             'scale = get_parameter("scale").as_double();',
             Severity.ERROR,
             "parameter 'scale' is read, but Odometry never declares it",
         ),
     ],
-    ids=["into a variable", "two of them", "a read that throws"],
+    ids=["into a variable", "two of them", "a slip", "a read that throws"],
 )
 def test_what_becomes_of_a_read_in_cpp(findings, lines: str, severity: Severity, message: str):
     (found,) = findings("PRM003", **{"src/odometry.cpp": CPP.format(lines=lines)})

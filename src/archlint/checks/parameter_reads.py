@@ -31,22 +31,17 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
     for node in system.nodes:
         declared = declared_by(node)
         for call, name, place in undeclared_reads(system, node):
-            diagnostic = _undeclared(node, call, name, place, declared or {})
-            if keeps_variable(system, call.place):
-                diagnostic = _keeping(diagnostic, name)
+            keeps = _KEEPS if keeps_variable(system, call.place) else ""
+            diagnostic = _undeclared(node, call, name, place, declared or {}, keeps)
+            if keeps:
+                diagnostic = replace(diagnostic, severity=Severity.WARNING, group=(*diagnostic.group, keeps))
             used = call.context.role != Role.METHOD  # what nothing calls raises nothing
             yield diagnostic if used else replace(diagnostic, severity=Severity.INFO)
     yield from map(unset_parameter, unset_parameters(system))
 
 
-def _keeping(diagnostic: Finding, name: str) -> Finding:
-    """What becomes of a read in C++ that writes into a variable: it raises nothing."""
-    message = f"{diagnostic.message}: {_KEEPS}"
-    group = (*diagnostic.group, _KEEPS)
-    return replace(diagnostic, message=message, severity=Severity.WARNING, group=group)
-
-
 _KEEPS = "get_parameter() returns false, and the variable keeps its value whatever is set"
+"""What becomes of a read in C++ that writes into a variable."""
 
 
 def undeclared_reads(system: System, node: Node) -> Iterator[tuple[ApiCall, str, Place]]:
@@ -82,7 +77,7 @@ def _reads(system: System, call: ApiCall) -> Iterator[tuple[str, Place]]:
 
 
 def _undeclared(
-    node: Node, call: ApiCall, name: str, place: Place, declared: dict[str, list[ParameterDeclaration]]
+    node: Node, call: ApiCall, name: str, place: Place, declared: dict[str, list[ParameterDeclaration]], keeps: str
 ) -> Finding:
     assert node.blueprint is not None
     hint = did_you_mean(name, declared)
@@ -92,7 +87,7 @@ def _undeclared(
     return finding(
         "PRM003",
         place,
-        f"parameter '{name}' is read, but {node.blueprint.class_name} never declares it{hint}",
+        f"parameter '{name}' is read, but {node.blueprint.class_name} never declares it{keeps and f': {keeps}'}{hint}",
         help=f"take the ~ out: write '{bare}'" if bare else f"declare it first: {_declaration(name, place)}",
         related=[] if _encloses(call.place, place) else [Related(call.place, "it is read here")],
         node=node.name,
