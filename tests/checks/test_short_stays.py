@@ -189,3 +189,40 @@ def test_a_sleep_that_nothing_follows(judge: Judge) -> None:
     assert judge("EXE003", KEEPS.format(lines=f"{sleep}  # here\n        {publish}"), *OTHERS)
     looped = f"for step in self.steps:\n            {publish}\n            {sleep}  # here"
     assert judge("EXE003", KEEPS.format(lines=looped), *OTHERS)
+
+
+GOAL = """
+import time
+
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionServer
+from rclpy.node import Node
+from std_msgs.msg import Empty
+
+
+class Counter(Node):
+    def __init__(self):
+        super().__init__('counter')
+        self.server = ActionServer(self, Fibonacci, 'count', self.count)
+        self.publisher = self.create_publisher(Empty, 'stopped', 10)
+        self.create_subscription(Empty, 'stop', self.stop, 10)
+
+    def stop(self, message):
+        self.publisher.publish(message)
+
+    def count(self, goal_handle):
+        time.sleep({line}
+        goal_handle.succeed()
+        return Fibonacci.Result()
+
+
+rclpy.init()
+rclpy.spin(Counter())
+"""
+
+
+def test_a_goal_of_less_than_a_second(judge: Judge) -> None:
+    """More threads are not worth it: with them, a stop would come in the midst of the goal."""
+    assert not judge("EXE003", GOAL.format(line="0.9)"))
+    assert judge("EXE003", GOAL.format(line="1.0)  # here"))
