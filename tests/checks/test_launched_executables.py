@@ -682,3 +682,22 @@ def test_a_program_that_counts_its_words(findings, count: str, attributes: str, 
     rows = findings("LCH001", launch, **_parses(count, imports))
     assert len(rows) == found
     assert all("this counts the --ros-args" in row.message for row in rows)
+
+
+@pytest.mark.parametrize(
+    ("executable", "installed", "told"),
+    [
+        ("talker", "talker.py", True),  # CMake does not run the setup.py, whose entry point has that name
+        ("talker.py", "talker.py", False),
+        ("talker", "talker.py RENAME talker", False),
+    ],
+)
+def test_a_script_of_cmake_and_an_entry_point_of_another_name(findings, executable, installed, told):
+    script, _, renamed = installed.partition(" ")
+    install = f"install(PROGRAMS robot/{script} DESTINATION lib/robot {renamed})\n"
+    files = {"package.xml": CMAKE, "CMakeLists.txt": "project(robot)\n" + install, "setup.py": SETUP}
+    found = findings("LCH001", node(exec=executable), **files, **{f"robot/{script}": TALKER})
+    missing = [one.message for one in found if one.message.startswith("package 'robot' installs no executable")]
+    assert missing == told * [
+        "package 'robot' installs no executable 'talker'; robot/talker.py is installed as 'talker.py'"
+    ]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from glob import has_magic
@@ -84,11 +84,22 @@ def read_installs(
         if package.build_type == "ament_cmake":  # which does not run setup.py
             installs.open_executables, installs.open_files = before
             installs.executables.update(named)
+            _without_renamed(installs, named)
             installs.python = installs.data_files_at = None
         with _reading(installs, "package.xml", faults):
             _find_programs(installs, tree)
             _follow_links(installs, files, tree)
     return by_package
+
+
+def _without_renamed(installs: Installs, by_cmake: Mapping[str, Executable]) -> None:
+    """Take away the entry points of a setup.py that nobody runs whose programs CMake installs as scripts, under the
+    names of their files: ``ros2 run`` finds ``drive.py``, and no ``drive``."""
+    for name, executable in list(installs.executables.items()):
+        module = (executable.module or "").rpartition(".")[2]
+        script = by_cmake.get(f"{module}.py")
+        if name not in by_cmake and name == module and script is not None and script.script is not None:
+            del installs.executables[name]
 
 
 def _is_built_by_setup_py(package: PackageFolder, tree: Tree) -> bool:
