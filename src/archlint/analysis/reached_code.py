@@ -262,10 +262,16 @@ def _at_start(
     }
     entries.add("generate_launch_description")
     tried = is_tried_alone(workspace, start)
+    is_program = start in workspace.code.installed_programs or _has_a_guard(workspace, start)
     for file, block in rows:
-        called = block.name in entries or (block.name == _AS_PROGRAM and not tried)
+        # What is no program is loaded by something that is not here, for what it has.
+        called = not is_program or block.name in entries or (block.name == _AS_PROGRAM and not tried)
         if not block.owner and (not block.name or block.is_called or (file == start and called)):
             yield file, block
+
+
+def _has_a_guard(workspace: WorkspaceIndex, file: str) -> bool:
+    return any(block.name == _AS_PROGRAM for block in _blocks(workspace, file) or ())
 
 
 def _open_classes(rows: Iterable[tuple[str, _Block]]) -> frozenset[str]:
