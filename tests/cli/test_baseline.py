@@ -101,7 +101,11 @@ def test_old_findings_are_held_back_and_a_new_one_fails(say):
     assert (again.status, again.findings) == (0, [])
     assert again.err == "No findings in 3 files with 2 nodes; 2 held by the baseline.\n"
 
-    edit("robot/leg.py", "    def enable", "        self.motor.wait_for_service()\n\n    def enable")
+    edit(
+        "robot/leg.py",
+        "    def enable",
+        "        self.create_client(SetBool, 'enable_brake').wait_for_service()\n\n    def enable",
+    )
     worse = say()
     assert (worse.status, worse.findings) == (1, ["robot/leg.py:13 TMO001"])
     assert entries() == [ARM, LEG]
@@ -110,7 +114,11 @@ def test_old_findings_are_held_back_and_a_new_one_fails(say):
 def test_what_is_mended_has_to_leave_the_baseline_and_nothing_is_added_to_it(say):
     say("--write-baseline")
     mend("robot/arm.py")
-    edit("robot/leg.py", "    def enable", "        self.motor.wait_for_service()\n\n    def enable")
+    edit(
+        "robot/leg.py",
+        "    def enable",
+        "        self.create_client(SetBool, 'enable_brake').wait_for_service()\n\n    def enable",
+    )
     stale = say()
     assert (stale.status, stale.findings) == (1, [f"{FILE}:3 LNT004", "robot/leg.py:13 TMO001"])
 

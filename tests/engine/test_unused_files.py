@@ -155,10 +155,10 @@ def test_a_suppression_there_is_not_unused(capsys: pytest.CaptureFixture[str]) -
     assert (files_of(document), document["summary"]["suppressed"]) == ([], 1)
 
 
-def test_two_nodes_that_run_together_are_told_if_one_of_them_runs(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_node_that_the_package_leaves_out_is_no_partner_of_what_runs(capsys: pytest.CaptureFixture[str]) -> None:
     write("robot/tools/probe.py", LISTENER)
     document, _ = checked(capsys, "--select", "TOP001")
-    assert files_of(document) == ["robot/tools/probe.py"]
+    assert files_of(document) == []
 
 
 def test_what_is_put_aside_is_no_partner_of_what_runs(capsys: pytest.CaptureFixture[str]) -> None:

@@ -118,7 +118,7 @@ def _rows(findings: Sequence[Finding]) -> Iterable[Sequence[Finding]]:
     leading = {_after(told.place): row for row in rows for told in row}
     for row in rows:
         for told in list(row):
-            first = leading.get(told.group[3:4]) if told.group[3].startswith(_BEHIND) else None
+            first = leading.get(told.group[3:4])
             if first is not None and first is not row:
                 row.remove(told)
                 first.append(told)

@@ -127,7 +127,7 @@ def _is_left_out(system: System, endpoint: Endpoint, other: Endpoint) -> bool:
         return False
     nodes = [end.node for end in (endpoint, other) if not end.node.executables]
     files = [node.blueprint.place.file for node in nodes if node.blueprint is not None]
-    return any(is_not_installed(system.workspace, file) for file in files)
+    return len(nodes) == 1 and any(is_not_installed(system.workspace, file) for file in files)
 
 
 @once
