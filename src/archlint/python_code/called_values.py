@@ -14,6 +14,7 @@ from archlint.syntax.parts import Itself, everything_in
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import SourceFile
 
 
 @dataclass(frozen=True)
@@ -29,15 +30,17 @@ class CalledValue:
 
 def called_values(workspace: WorkspaceIndex) -> Iterator[CalledValue]:
     """Every such call in the files that were asked for, and in each setup.py that colcon runs; not in test code."""
-    for file, _ in workspace.code.judged():
-        if not workspace.roles.is_test(file.relative):
-            for span, kind, among in _rows(workspace, file.relative) or ():
-                yield CalledValue(Place(file.relative, *span), kind, among)
-    for file, _ in workspace.code.setup_files:
-        package = workspace.packages.get(file.package or "")
-        if package is not None and package.build_type == "ament_python":
-            for span, kind, among in _rows(workspace, file.relative) or ():
-                yield CalledValue(Place(file.relative, *span), kind, among, builds=True)
+    judged = [file.relative for file, _ in workspace.code.judged() if not workspace.roles.is_test(file.relative)]
+    setups = [file.relative for file, _ in workspace.code.setup_files if _is_run(workspace, file)]
+    for path, builds in (*((path, False) for path in judged), *((path, True) for path in setups)):
+        for span, kind, among in _rows(workspace, path) or ():
+            yield CalledValue(Place(path, *span), kind, among, builds)
+
+
+def _is_run(workspace: WorkspaceIndex, setup: SourceFile) -> bool:
+    """Whether colcon runs a setup.py."""
+    package = workspace.packages.get(setup.package or "")
+    return package is not None and package.build_type == "ament_python"
 
 
 @kept_for_each_file
