@@ -263,12 +263,17 @@ def _is_built(workspace: WorkspaceIndex, installs: Installs, stem: str) -> bool:
     than the name of that."""
     if stem in installs.executables or (stem in installs.words and stem != installs.package):
         return True
-    built = (f"{installs.folder}/{name}".removeprefix("./") for name in ("setup.py", "setup.cfg", "pyproject.toml"))
-    texts = [without_comments(workspace.tree.text(path) or "") for path in built if workspace.code.mentions(path, stem)]
+    built = [path for path in python_build_files(installs) if workspace.code.mentions(path, stem)]
+    texts = [without_comments(workspace.tree.text(path) or "") for path in built]
     same = stem == installs.package and not any("py_modules" in text for text in texts)
     words = (f"{stem}.{stem}", f".{stem}") if same else (stem,)
     # An entry that is commented out installs nothing.
     return any(re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) for text in texts for word in words)
+
+
+def python_build_files(installs: Installs) -> list[str]:
+    """The files of a package, there or not, that say what of its Python code is installed."""
+    return [f"{installs.folder}/{name}".removeprefix("./") for name in ("setup.py", "setup.cfg", "pyproject.toml")]
 
 
 @once
@@ -295,6 +300,7 @@ __all__ = [
     "is_loose_module",
     "is_named_by_launch",
     "is_not_installed",
+    "python_build_files",
     "ros1_module",
     "starts_ros",
 ]

@@ -14,8 +14,8 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_named_by_launch
-from archlint.analysis.kept import kept, kept_for_each_file, once
+from archlint.analysis.aside import is_named_by_launch, python_build_files
+from archlint.analysis.kept import kept, kept_for_each_file, kept_for_few_files, once
 from archlint.analysis.uncalled_methods import is_tried_alone
 from archlint.records import dataclass
 from archlint.syntax import facts
@@ -34,29 +34,28 @@ def is_unreached(workspace: WorkspaceIndex | None, place: Place) -> bool:
     file, or below an ``if False:``.  What a package without programs offers is for others to call."""
     if workspace is None or not place.file.endswith(".py"):
         return False
-    if any(covers(statement, place.span) for statement in _switched_off(workspace, place.file) or ()):
+    if any(covers(statement, place.span) for statement in _switched_off(workspace, place.file)):
         return True
     if workspace.roles.is_test(place.file):
         return False
     blocks = _blocks(workspace, place.file)
-    if blocks is None or is_for_others(workspace, place.file):
+    if blocks is None or _is_for_others(workspace, place.file):
         return False
     programs = [start for start in _starts(workspace) if place.file in _files(workspace, start)]
     block = _block_at(blocks, place.line)
     return bool(programs) and not any(_comes_to(workspace, start, place.file, block) for start in programs)
 
 
-def is_for_others(workspace: WorkspaceIndex, file: str) -> bool:
+def _is_for_others(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether a file may be used by code that is not here: its package installs no program of Python, or more than is
     known, or another package here needs it; or it lies in no package, and does not say what it does as a program."""
     name = workspace.package_of(file)
     if name is None:
-        blocks = _blocks(workspace, file)
-        return blocks is None or all(block.name != _AS_PROGRAM for block in blocks)
+        return not _has_a_guard(workspace, file)
     installs = workspace.installs.get(name)
     if installs is None or installs.open_executables or not _has_programs(installs):
         return True
-    return name in _needed(workspace)
+    return name in needed_packages(workspace)
 
 
 def _has_programs(installs: Installs) -> bool:
@@ -64,7 +63,7 @@ def _has_programs(installs: Installs) -> bool:
 
 
 @once
-def _needed(workspace: WorkspaceIndex) -> frozenset[str]:
+def needed_packages(workspace: WorkspaceIndex) -> frozenset[str]:
     """The packages that others here declare that they need."""
     return frozenset(
         dependency.name
@@ -93,13 +92,8 @@ def _may_be_loaded(workspace: WorkspaceIndex, file: str) -> bool:
     stem = posixpath.basename(file).removesuffix(".py")
     if installs is None or workspace.roles.is_test(file) or stem in installs.words:
         return True
-    return any(workspace.code.mentions(path, stem) for path in _building(installs)) or is_named_by_launch(
-        workspace, stem
-    )
-
-
-def _building(installs: Installs) -> list[str]:
-    return [f"{installs.folder}/{name}".removeprefix("./") for name in ("setup.py", "setup.cfg", "pyproject.toml")]
+    built = any(workspace.code.mentions(path, stem) for path in python_build_files(installs))
+    return built or is_named_by_launch(workspace, stem)
 
 
 def _files(workspace: WorkspaceIndex, start: str) -> frozenset[str]:
@@ -199,7 +193,7 @@ def _block(
     return _Block(name, owner, span[0], span[2], sorted(names), list(bases), is_called, _asks_itself(every), of_texts)
 
 
-@kept_for_each_file
+@kept_for_few_files
 def _switched_off(code: facts.Facts) -> list[facts.Stmt]:
     """The statements of a file that no run comes to, whatever calls the code around them."""
     return [*_never_run(everything_in(code.body))]
@@ -257,10 +251,7 @@ def _at_start(
     workspace: WorkspaceIndex, start: str, rows: Iterable[tuple[str, _Block]]
 ) -> Iterator[tuple[str, _Block]]:
     """What runs as the files of a program are loaded, and what ROS then calls."""
-    entries = {
-        each.function or "main" for installs in workspace.installs.values() for each in installs.executables.values()
-    }
-    entries.add("generate_launch_description")
+    entries = _entries(workspace)
     tried = is_tried_alone(workspace, start)
     is_program = start in workspace.code.installed_programs or _has_a_guard(workspace, start)
     for file, block in rows:
@@ -268,6 +259,13 @@ def _at_start(
         called = not is_program or block.name in entries or (block.name == _AS_PROGRAM and not tried)
         if not block.owner and (not block.name or block.is_called or (file == start and called)):
             yield file, block
+
+
+@once
+def _entries(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The functions with which installed programs and launch files begin."""
+    every = (each for installs in workspace.installs.values() for each in installs.executables.values())
+    return frozenset({"generate_launch_description", *(each.function or "main" for each in every)})
 
 
 def _has_a_guard(workspace: WorkspaceIndex, file: str) -> bool:
@@ -332,4 +330,4 @@ class _Walk:
                 yield path, method
 
 
-__all__ = ["is_for_others", "is_unreached"]
+__all__ = ["is_unreached", "needed_packages"]

@@ -11,6 +11,7 @@ from archlint.analysis.dropped_callbacks import is_in_a_dropped_callback
 from archlint.analysis.idle_helpers import is_idle_helper
 from archlint.analysis.kept_defaults import needs_another_default
 from archlint.analysis.left_over import unmade_class
+from archlint.analysis.reached_code import needed_packages
 from archlint.analysis.replaced_methods import is_replaced
 from archlint.analysis.uncalled_functions import uncalled_function
 from archlint.analysis.uncalled_methods import is_in_trial, uncalled_main, uncalled_method
@@ -78,8 +79,7 @@ def _is_of_programs(system: System, file: str) -> bool:
     installs = None if workspace is None or name is None else workspace.installs.get(name)
     if workspace is None or installs is None or not any(each.module for each in installs.executables.values()):
         return False
-    others = (package for package in workspace.packages.values() if package.name != name)
-    return not any(dependency.name == name for package in others for dependency in package.dependencies)
+    return name not in needed_packages(workspace)
 
 
 __all__ = ["uncalled_in_program", "unless_uncalled"]
