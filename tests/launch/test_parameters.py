@@ -376,3 +376,37 @@ def test_the_constants_of_numpy(launches):
     )
     not_known = NotKnown("numpy.sum() is outside of this workspace")
     assert parameters(launched.started[0]) == {"most": 1.5707963267948966, "sum": not_known}
+
+
+@pytest.mark.parametrize(
+    "later",
+    [
+        "del shared['rate']",
+        "shared['rate'] = 9",
+        "shared.clear()",
+        "given.append({'rate': 9})",
+        "inner['er'] = 'other'",
+    ],
+)
+def test_a_node_keeps_the_parameters_that_it_was_made_with(launches, later: str):
+    before = "inner = {'er': 'text'}\nshared = {'rate': 5, 'deep': inner}\ngiven = [shared]\n"
+    made = f"first = Node(package='robot', executable='talker', parameters=given)\n{later}"
+    launched = launches.python("[first]", before=before + made)
+    assert parameters(launched.started[0]) == {"rate": 5, "deep.er": "text"}
+
+
+def test_a_node_that_is_made_later_has_what_is_left_of_a_dict(launches):
+    node_of = "Node(package='robot', executable='talker', name='{0}', parameters=[shared])"
+    before = f"shared = {{'rate': 5, 'n': 2}}\nfirst = {node_of.format('a')}\ndel shared['rate']\n"
+    launched = launches.python(f"[first, {node_of.format('b')}]", before=before)
+    assert [parameters(each) for each in launched.started] == [{"rate": 5, "n": 2}, {"n": 2}]
+
+
+def test_a_node_whose_list_of_parameters_depends_on_a_branch(launches):
+    before = """\
+given = [{'rate': 5}] if has_an_arm() else [{'rate': 7}]
+first = Node(package='robot', executable='talker', parameters=given)
+given.append({'n': 2})"""
+    launched = launches.python("[first]", before=before)
+    names_of = {row.name for row in launched.started[0].parameters if not row.is_open}
+    assert names_of == {"rate"}

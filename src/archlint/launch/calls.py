@@ -16,6 +16,7 @@ from archlint.interpreter.values import (
     Value,
     reason,
 )
+from archlint.launch.copied_parameters import with_copied_parameters
 from archlint.launch.objects import (
     ENTITIES,
     GIVEN,
@@ -46,11 +47,12 @@ PACKAGES_OF_THE_MACHINE = "the environment variable AMENT_PREFIX_PATH"
 def made_object(run: Run, call: ApiUse) -> LaunchObject:
     """An action, substitution, condition … with its arguments by name, where each is written, and the branches
     of the launch file's own code that it is made in."""
+    kind = CLASSES[call.api.makes]
     instance = launch_object(
         run.store.new_key(),
-        CLASSES[call.api.makes],
+        kind,
         run.place(call.expression.span) if call.expression is not None and run.activations else None,
-        dict(call.arguments),
+        with_copied_parameters(run, kind, dict(call.arguments)),
         places=argument_places(run, call.api, call.expression),
         rest=tuple(call.rest),
         open=call.open,
