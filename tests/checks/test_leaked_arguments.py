@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-DRIVER = '<launch><arg name="rviz" default="true"/><log message="$(var rviz)"/></launch>'
-PANEL = '<launch><arg name="rviz" default="maybe"/><log message="$(var rviz)"/></launch>'
+DRIVER = '<launch><arg name="rviz" default="true"/><let name="shown" value="$(var rviz)"/></launch>'
+PANEL = '<launch><arg name="rviz" default="maybe"/><let name="shown" value="$(var rviz)"/></launch>'
 FILES = {"launch/driver.launch.xml": DRIVER, "launch/panel.launch.xml": PANEL}
 OWN = '<arg name="rviz" default="true"/>\n'
 
@@ -193,13 +193,16 @@ def test_an_argument_that_nobody_takes_is_told_otherwise(findings):
         ('<let name="seen" value="$(var rviz)" if="true"/>', True),
         ('<let name="seen" value="$(var rviz)" if="false"/><let name="shown" value="$(var rviz)"/>', True),
         ('<let name="shown" value="$(var rviz)"/><let name="seen" value="$(var rviz)" if="false"/>', True),
-        ("", True),  # nobody knows who reads it
+        ("", False),
+        ('<include file="$(find-pkg-share robot)/launch/inner.launch.xml"/>', True),
     ],
 )
 def test_an_argument_that_only_what_nothing_runs_reads(findings, shown: str, told: bool):
     panel = f'<launch><arg name="rviz" default="maybe"/>{shown}</launch>'
     launch = include("driver", rviz="false") + include("panel")
-    assert bool(findings("LCH009", launch, **FILES | {"launch/panel.launch.xml": panel})) is told
+    inner = '<launch><let name="seen" value="$(var rviz)"/></launch>'
+    files = FILES | {"launch/panel.launch.xml": panel, "launch/inner.launch.xml": inner}
+    assert bool(findings("LCH009", launch, **files)) is told
 
 
 @pytest.mark.parametrize(
@@ -211,7 +214,7 @@ def test_an_argument_that_only_what_nothing_runs_reads(findings, shown: str, tol
             "        SetLaunchConfiguration('seen', LaunchConfiguration('rviz'))",
             True,
         ),
-        ("LogInfo(msg='no word of it')", True),  # nobody knows who reads it
+        ("LogInfo(msg='no word of it')", False),
     ],
 )
 def test_an_argument_that_only_a_log_message_shows(findings, actions: str, told: bool):
@@ -229,3 +232,9 @@ def generate_launch_description():
 """
     launch = include("driver", rviz="false") + include("panel").replace(".xml", ".py")
     assert bool(findings("LCH009", launch, **FILES | {"launch/panel.launch.py": panel})) is told
+
+
+def test_an_argument_that_is_declared_again_after_the_include_and_read_by_nothing(findings):
+    launch = OWN + include("driver", rviz="false") + OWN
+    assert findings("LCH009", launch, **FILES) == []
+    assert len(findings("LCH009", f'{launch}<let name="shown" value="$(var rviz)"/>', **FILES)) == 1

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, NamedTuple
 from archlint.launch.mistakes import LeakedArgument
 from archlint.launch.named_files import is_made_by_launch
 from archlint.launch.objects import known_text
-from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -38,15 +37,6 @@ class _Default(NamedTuple):
     includes: tuple[Place, ...]
 
 
-@dataclass
-class _InVain:
-    """A leak into a file that declares the argument itself; ``is_read`` once something reads the value that it has."""
-
-    value: Value
-    leak: LeakedArgument
-    is_read: bool = False
-
-
 class GivenArguments:
     """What includes have set last, by the name of the launch configuration, and which defaults files have set.
 
@@ -64,8 +54,9 @@ class GivenArguments:
         self._literals: dict[str, tuple[Value, Place]] = {}
         self._late: set[tuple[Place, str]] = set()
         """Includes, each with an argument that a timer or an event of what it includes reads."""
-        self._in_vain: dict[str, list[_InVain]] = {}
-        """What is declared in vain of each argument."""
+        self._in_vain: dict[str, list[tuple[Value, LeakedArgument]]] = {}
+        """The values that files which declare an argument themselves have instead of their own default, each with the
+        leak that it is once something reads it."""
         self._result = result
 
     def note_literal(self, name: str, value: Value, place: Place) -> None:
@@ -99,9 +90,9 @@ class GivenArguments:
     def note_read(self, name: str, value: Value | None, file: str, action: Place, *, late: bool, dormant: bool) -> None:
         """An action of a file reads a value, perhaps one that an include in front of it has set there; ``late`` if a
         timer or an event runs the action, ``dormant`` if nothing does with the arguments as they are."""
-        for row in self._in_vain.get(name, ()):
-            if row.value is value:
-                self._note_use(row, dormant)
+        for leaked_value, in_vain in [] if dormant else self._in_vain.get(name, ()):
+            if leaked_value is value:
+                self._tell(in_vain)
         given = self._given.get(name)
         if late and given is not None and given.value is value and given.file != file:
             self._late.add((given.include, name))
@@ -111,13 +102,9 @@ class GivenArguments:
             self._result.set_by_includes.add((file, name))
             return
         self._result.read_on.setdefault(given.place, action)
-        self._note_leak(name, value, given.before, given.place, action, file, given.include, earlier=given.earlier)
-
-    def note_shown(self, name: str, value: Value | None) -> None:
-        """A log message shows a value, and nothing follows from that."""
-        for row in self._in_vain.get(name, ()):
-            if row.value is value:
-                self._note_use(row, dormant=True)
+        leak = self._leak(name, value, given.before, given.place, action, file, given.include, earlier=given.earlier)
+        if leak is not None:
+            self._tell(leak)
 
     def note_unread_include(self, configurations: Mapping[str, Value]) -> None:
         """An include is visited whose file is not here: it may read everything that is set now."""
@@ -139,15 +126,15 @@ class GivenArguments:
         given, other = self._given.get(name), self._defaults.get(name)
         if given is not None and given.value is value and given.include not in includes:
             self._result.reach_later.add(given.place)
-            leak = self._note_leak(name, value, own, given.place, place, file, given.include, earlier=given.earlier)
+            leak = self._leak(name, value, own, given.place, place, file, given.include, earlier=given.earlier)
             self._note_in_vain(value, leak)
         elif other is not None and other.value is value and other.file != file:
             beside = [include for include in other.includes if include not in includes]
             if beside:
-                leak = self._note_leak(name, value, own, other.place, place, file, beside[0], default=True)
+                leak = self._leak(name, value, own, other.place, place, file, beside[0], default=True)
                 self._note_in_vain(value, leak)
 
-    def _note_leak(
+    def _leak(
         self,
         name: str,
         value: Value,
@@ -167,22 +154,13 @@ class GivenArguments:
         if text.lower() == own_text.lower():
             return None
         late, others = (include, name) in self._late, tuple(place for place in earlier if place != given)
-        leak = LeakedArgument(name, text, own_text, given, read, file, include, default, late, others)
-        if leak not in self._result.leaked:
-            self._result.leaked.append(leak)
-        return leak
+        return LeakedArgument(name, text, own_text, given, read, file, include, default, late, others)
 
     def _note_in_vain(self, value: Value, leak: LeakedArgument | None) -> None:
+        """A leak that matters once something reads the value."""
         if leak is not None:
-            self._in_vain.setdefault(leak.name, []).append(_InVain(value, leak))
+            self._in_vain.setdefault(leak.name, []).append((value, leak))
 
-    def _note_use(self, row: _InVain, dormant: bool) -> None:
-        """Something reads a value that has leaked.  It matters to nobody where only what nothing runs does so, and what
-        shows it."""
-        leaked = self._result.leaked
-        if not dormant:
-            row.is_read = True
-            if row.leak not in leaked:
-                leaked.append(row.leak)
-        elif not row.is_read and row.leak in leaked:
-            leaked.remove(row.leak)
+    def _tell(self, leak: LeakedArgument) -> None:
+        if leak not in self._result.leaked:
+            self._result.leaked.append(leak)

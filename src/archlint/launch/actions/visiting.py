@@ -18,7 +18,6 @@ from archlint.launch.actions.branches import (
     version,
     visit_items,
 )
-from archlint.launch.actions.log_messages import note_shown
 from archlint.launch.actions.missing_arguments import note_missing_arguments
 from archlint.launch.actions.refused_values import note_refused_values
 from archlint.launch.objects import MADE_BY_BASE, OWN, LaunchObject, class_name, kind_of, launch_object, place_of
@@ -69,6 +68,7 @@ ACTIONS: dict[LaunchClass, Act] = {
 
 _IGNORED = frozenset(
     {
+        LaunchClass.LOG_INFO,
         LaunchClass.SHUTDOWN,
         LaunchClass.EMIT_EVENT,
         LaunchClass.UNREGISTER_EVENT_HANDLER,
@@ -167,8 +167,6 @@ def _act(run: LaunchRun, entity: Instance) -> None:
                 note_refused_values(run, entity)
                 note_missing_arguments(run, entity)
             ACTIONS[kind](run, entity)
-        case LaunchObject(kind=LaunchClass.LOG_INFO):
-            note_shown(run, entity)
         case _ if kind_of(entity) not in _IGNORED:
             run.gap(f"{entity.note or class_name(entity) or 'an object'} is not an action that is followed")
 
