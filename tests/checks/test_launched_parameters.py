@@ -548,3 +548,23 @@ def test_nothing_is_set_on_a_node_that_ros_refuses_to_start(findings, namespace:
     publisher = node('<param name="volume" value="2.0"/>', pkg="robot_state_publisher", exec="robot_state_publisher")
     launch = publisher.replace("<node ", f"<node namespace='{namespace}' ")
     assert len(findings("PRM004", launch)) == told
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("shown = settings['output']", []),
+        ("shown = settings.get('output')", []),
+        ("settings['output'] = 'there'", ["output"]),
+        ("shown = settings['rate']", ["output"]),
+    ],
+)
+def test_a_value_that_the_launch_file_takes_out_of_the_dict_itself(findings, line: str, told: list[str]):
+    launch_file = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+        "def generate_launch_description():\n"
+        f"    settings = {{'rate': 2.0, 'output': 'here'}}\n    {line}\n"
+        "    return LaunchDescription([Node(package='robot', executable='talker', parameters=[settings])])\n"
+    )
+    reported = findings("PRM004", "", **{"launch/it2.launch.py": launch_file})
+    assert [one.message.split("'")[1] for one in reported] == told

@@ -16,7 +16,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.settings_by_mistake import declared_dict, joined, joined_key, split_dict
 from archlint.finding import Finding, Place, Related
 from archlint.launch_files.chosen_names import executable_is_chosen, executable_is_picked, has_another_choice
-from archlint.launch_files.files_read_in_code import is_read_in_code
+from archlint.launch_files.files_read_in_code import is_read_in_code, is_taken_out_again
 from archlint.launch_files.set_parameters import (
     declared_in,
     files_of,
@@ -159,7 +159,10 @@ class _Bundles:
                 given.append((node, setting.place, _is_bundled(setting, bundles)))
 
     def is_for_another(self, setting: Setting, bundles: _NamesAt) -> bool:
-        """Whether another node that gets the same dict declares a name of it, or may."""
+        """Whether another node that gets the same dict declares a name of it, or may; or the launch file itself goes by
+        the value."""
+        if is_taken_out_again(self._workspace, setting.place.file, setting.name):
+            return True
         bundled = _is_bundled(setting, bundles)
         if bundled and any(setting.name in names_in_package(self._workspace, package) for package in self._packages):
             return True  # what is read from a file is for all programs, those of other launch files, too

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once_for_each_file
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in
+from archlint.syntax.parts import Itself, everything_in
 from archlint.syntax.walk import called_name
 
 if TYPE_CHECKING:
@@ -50,6 +50,26 @@ def is_for_a_test(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     return any(all(word in text for word in words) for text in texts)
 
 
+def is_taken_out_again(workspace: WorkspaceIndex | None, file: str, name: str) -> bool:
+    """Whether a launch file in Python takes a value out of a dict by this name itself: it goes by what it sets there,
+    and gives the dict to a node for the rest of it."""
+    return workspace is not None and name in (_keys_read(workspace, file) or ())
+
+
+@once_for_each_file
+def _keys_read(file_facts: facts.Facts) -> frozenset[str]:
+    every = [*everything_in(file_facts.body)]
+    changed = {Itself[facts.Base](target) for part in every if isinstance(part, _CHANGES) for target in _targets(part)}
+    return frozenset(text for key in _keys(file_facts.body, changed) if (text := key.text) is not None)
+
+
+_CHANGES = (facts.Assign, facts.Augmented, facts.Delete)
+
+
+def _targets(statement: facts.Assign | facts.Augmented | facts.Delete) -> Sequence[facts.Expr]:
+    return [statement.target] if isinstance(statement, facts.Augmented) else statement.targets
+
+
 @once_for_each_file
 def _keys_asked_for(file_facts: facts.Facts) -> frozenset[str] | None:
     """The texts with which a file takes something out of a mapping; None for a file that loads no YAML."""
@@ -59,9 +79,11 @@ def _keys_asked_for(file_facts: facts.Facts) -> frozenset[str] | None:
     return frozenset(text for key in keys if (text := key.text) is not None)
 
 
-def _keys(body: Sequence[facts.Stmt]) -> Iterator[facts.Expr]:
+def _keys(body: Sequence[facts.Stmt], changed: Collection[Itself[facts.Base]] = ()) -> Iterator[facts.Expr]:
+    """What stands for keys in a body, but for those of entries that statements change."""
     for part in everything_in(body, facts.Subscript):
-        yield part.index
+        if Itself(part) not in changed:
+            yield part.index
     for call in everything_in(body, facts.Call):
         if called_name(call) == "get" and call.args:
             yield call.args[0].value
@@ -83,4 +105,4 @@ def _keys_given_to_helpers(file_facts: facts.Facts) -> Iterator[facts.Expr]:
                     yield argument.value
 
 
-__all__ = ["is_for_a_test", "is_read_in_code", "reader_in_code"]
+__all__ = ["is_for_a_test", "is_read_in_code", "is_taken_out_again", "reader_in_code"]
