@@ -107,6 +107,7 @@ def test_what_is_there_or_may_be_missing(judge: Judge, imports: str):
         ("import serial", "<exec_depend>python3-serial</exec_depend>"),
         ("import serial", "<depend>pyserial</depend>"),
         ("import cv2", "<depend>cv_bridge</depend>"),
+        ("from PyQt5.QtWidgets import QWidget", "<depend>python3-qt5-bindings</depend>"),
         ("import transforms3d", "<depend>tf_transformations</depend>"),
         ("import serial", "<depend>packages_of_our_team</depend>"),  # which nobody knows
     ],

@@ -31,9 +31,11 @@ _WITH_ROS = frozenset(
     | {"psutil", "pytest", "setuptools", "typing_extensions", "yaml"}
 )
 """What rclpy, messages, launch and the command line bring along, so that it is there wherever a node runs."""
+_WITH_QT = frozenset({"python3-qt5-bindings", "python3-qt5-bindings-gl", "python3-qt5-bindings-webkit"})
 _BRINGS: Mapping[str, frozenset[str]] = {
     "PIL": frozenset({"rosbridge_library", "rqt_bag", "rqt_image_view"}),
-    "PyQt5": frozenset({"python_qt_binding"}),
+    "PyQt5": frozenset({"python_qt_binding"} | _WITH_QT),
+    "PySide2": frozenset({"python3-qt5-bindings"}),
     "bson": frozenset({"rosbridge_library"}),
     "cv2": frozenset({"cv_bridge", "image_geometry", "camera_calibration"}),
     "matplotlib": frozenset({"rqt_plot", "slam_toolbox"}),
@@ -43,7 +45,7 @@ _BRINGS: Mapping[str, frozenset[str]] = {
     "transforms3d": frozenset({"tf_transformations"}),
     "twisted": frozenset({"rosbridge_server"}),
 }
-"""The ROS packages that bring a module along."""
+"""The ROS packages and the keys of rosdep that bring a module along.  Source: ``rosdep/python.yaml`` of rosdistro."""
 _WITH_TORCHVISION = frozenset({"easyocr", "facenet-pytorch", "rfdetr", "timm", "ultralytics", "yolov5"})
 _WITH_TORCH = _WITH_TORCHVISION | {
     *("openai-whisper", "pytorch-lightning", "sentence-transformers", "stable-baselines3", "torchaudio", "torchvision"),
@@ -126,7 +128,7 @@ def comes_with_ros(module: str) -> bool:
 
 
 def brought_along_by(module: str) -> frozenset[str]:
-    """The ROS packages that bring a module along."""
+    """The ROS packages and the keys of rosdep that bring a module along."""
     return _BRINGS.get(module, frozenset())
 
 
