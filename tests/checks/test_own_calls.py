@@ -160,6 +160,73 @@ def test_a_function_of_another_file(judge: Judge) -> None:
     judge("API001", source, "def rotate(angle): ...\n")
 
 
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("words.rotate()", "rotate() fails: 'angle' is missing"),
+        ("words.Arm(1, 2)", "Arm() fails: it takes at most 1 argument by position"),
+        (
+            "x, y, z = words.pose()",
+            "pose() returns 2 values, and there are 3 variables for them: this line raises ValueError",
+        ),
+    ],
+)
+@pytest.mark.parametrize("how", ["import node1 as words", "from . import node1 as words"])
+def test_what_is_in_a_module(judge: Judge, how: str, line: str, says: str) -> None:
+    (finding,) = judge("API001", f"{how}\n{_node(f'{line}  # here')}", WORDS)
+    assert finding.message == says
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "words.rotate(1)",
+        "words.Arm(1)",
+        "x, y = words.pose()",
+        "words.either(1)",
+        "words.absent(1)",
+        "words.set_later(1)",
+    ],
+)
+def test_what_is_in_a_module_and_fits_or_is_not_known(judge: Judge, line: str) -> None:
+    judge("API001", f"import node1 as words\n{_node(line)}", WORDS)
+
+
+def test_a_name_that_is_also_something_else_than_a_module(judge: Judge) -> None:
+    judge("API001", f"import node1 as words\n{_node('words = self', 'words.rotate()')}", WORDS)
+    judge("API001", f"import node1\nwords = node1\n{_node('words.rotate()')}", WORDS)
+
+
+WORDS = """
+def rotate(angle):
+    pass
+
+
+def pose():
+    return 1.0, 2.0
+
+
+class Arm:
+    def __init__(self, length):
+        self.length = length
+
+
+try:
+    from fast import either
+except ImportError:
+    def either():
+        pass
+
+
+def set_later():
+    pass
+
+
+def replace(module):
+    module.set_later = print
+"""
+
+
 def test_a_method_that_a_derived_class_replaces(judge: Judge) -> None:
     derived = "\n\nclass Fast(Motor):\n    def drive(self):\n        pass\n"
     judge("API001", _node("self.drive()") + derived)

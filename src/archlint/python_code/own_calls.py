@@ -6,7 +6,6 @@ or imports from such a file, and a method of ``self`` that no class derived from
 
 from __future__ import annotations
 
-import posixpath
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
@@ -24,12 +23,13 @@ from archlint.python_code.class_chains import (
     methods_of,
     targets_of,
 )
+from archlint.python_code.imported_modules import bindings_of, imported_once, module_meant_by, path_of
 from archlint.python_code.misfits import Misfit, OwnCall, by_position_of, misfit_of, needed_of
 from archlint.python_code.offered_names import may_make_names, stars
 from archlint.python_code.tried_code import tried_for
 from archlint.records import dataclass
 from archlint.syntax import facts
-from archlint.syntax.bindings import bound_by, names_bound
+from archlint.syntax.bindings import bound_by
 from archlint.syntax.misspelt_constructor import CONSTRUCTOR, meant_as_constructor
 from archlint.syntax.parts import Itself, everything_in, once_for
 from archlint.syntax.walk import statements_of
@@ -143,7 +143,8 @@ def _is_in_node(workspace: WorkspaceIndex, file: str, call: OwnCall) -> bool:
 
 @kept_for_each_file
 def own_calls_of(code: facts.Facts) -> list[OwnCall]:
-    """The calls of functions and classes that the file defines or imports, and those of methods of ``self``."""
+    """The calls of functions and classes that the file defines or imports, those of what is in a module that it
+    imports, and those of methods of ``self``."""
     if may_make_names(code):
         return []
     forgiven = tried_for(code.body, {"TypeError"})
@@ -155,7 +156,7 @@ def own_calls_of(code: facts.Facts) -> list[OwnCall]:
         cls = around.get(Itself(call))
         if any(argument.star for argument in call.args) or Itself[facts.Base](call) in forgiven:
             continue
-        if cls is not None or call.func.variable in defined:
+        if cls is not None or call.func.variable in defined or _is_of_module(code, call.func):
             keywords = tuple(argument.keyword for argument in call.args if argument.keyword is not None)
             given, within = len(call.args) - len(keywords), inside.get(Itself(call))
             rows.append(OwnCall(call.func.dotted, call.span, cls, given, keywords, within))
@@ -174,6 +175,14 @@ def _defined_once(code: facts.Facts) -> frozenset[str]:
             case facts.ImportFrom(names=imported):
                 names.update(bound for _, bound in imported)
     return frozenset(name for name in names if bindings_of(code)[name] == 1)
+
+
+def _is_of_module(code: facts.Facts, called: facts.Expr) -> bool:
+    """Whether something of a module may be called, ``words.greet()``: of a name that only an import binds."""
+    match called:
+        case facts.Attribute(value=facts.Name(id=name)):
+            return name in imported_once(code)
+    return False
 
 
 def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
@@ -236,6 +245,11 @@ def _definition(
     workspace: WorkspaceIndex, file: str, name: str, depth: int = _DEPTH
 ) -> tuple[str, facts.Function | facts.Class] | None:
     """What defines a name that a file binds once, and the file that this is in."""
+    owner, _, own_name = name.rpartition(".")
+    if owner:
+        path = module_meant_by(workspace, file, owner)
+        sure = path is not None and not _is_assigned(workspace, own_name)
+        return _definition(workspace, path, own_name, depth - 1) if path is not None and sure else None
     code = workspace.facts_at(file)
     if code is None or depth <= 0 or (_bindings(workspace, file) or {}).get(name) != 1:
         return None
@@ -245,23 +259,9 @@ def _definition(
                 return file, statement
             case facts.ImportFrom(names=names) if any(bound == name for _, bound in names):
                 own = next(own for own, bound in names if bound == name)
-                path = _file_of(workspace, file, statement)
+                path = path_of(workspace, file, statement.module, statement.level)
                 return None if path is None else _definition(workspace, path, own, depth - 1)
     return None
-
-
-def _file_of(workspace: WorkspaceIndex, file: str, statement: facts.ImportFrom) -> str | None:
-    """The file that an import means wherever it is imported, or that lies beside this one."""
-    path = workspace.code.path_of_import(file, statement.module, statement.level)
-    if path is not None and posixpath.dirname(path) == posixpath.dirname(file):
-        return path
-    return workspace.code.file_of_import(file, statement.module, statement.level)
-
-
-@once_for
-def bindings_of(code: facts.Facts) -> Counter[str]:
-    """How often a file binds each name, in whichever scope."""
-    return Counter(names_bound(code.body))
 
 
 @kept_for_each_file
@@ -324,7 +324,12 @@ def _is_replaced(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool
     """Whether a derived class has something of its own by a name, or any code assigns it."""
     if any(_times_bound(derived.code)[name] for derived in derived_from(workspace, cls)):
         return True
-    files = dict.fromkeys((cls.file, *files_with(workspace, name)))
+    return _is_assigned(workspace, name, cls.file)
+
+
+def _is_assigned(workspace: WorkspaceIndex, name: str, *more: str) -> bool:
+    """Whether any code assigns an attribute of a name, of whatever object."""
+    files = dict.fromkeys((*more, *files_with(workspace, name)))
     return any((assigned := assigned_attributes(workspace, file)) is None or name in assigned for file in files)
 
 
