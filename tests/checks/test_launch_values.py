@@ -291,6 +291,57 @@ def test_what_launch_makes_a_text_of(findings, action):
     assert findings("LCH008", **{"launch/it.launch.py": GIVEN.format(action=action)}) == []
 
 
+PARAMETERS = """\
+from pathlib import Path
+from ament_index_python.packages import get_package_share_directory, get_package_share_path
+from launch import LaunchDescription
+from launch_ros.actions import Node
+from elsewhere import unknown
+
+def generate_launch_description():
+    config = Path(get_package_share_directory('robot'), 'config')
+    maps = get_package_share_path('robot') / 'maps'
+    found = {{}}
+    for name in unknown():
+        found[name] = 1
+    return LaunchDescription([
+        Node(package='robot', executable='talker', parameters={parameters}),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("parameters", "says", "help"),
+    [
+        ("[{'map': config / 'hall.yaml'}]", "'map' is a pathlib.Path", "write str(…) around the path"),
+        ("['a.yaml', {'rate': 1, 'map': maps}]", "'map' is a pathlib.Path", "write str(…) around the path"),
+        ("[{'maps': {'hall': maps / 'hall.yaml'}}]", "'maps.hall' is a pathlib.Path", "write str(…) around the path"),
+        ("[{'map': None}]", "'map' is None", "leave it out, or give it a value"),
+    ],
+)
+def test_a_value_that_no_parameter_can_have(findings, parameters, says, help):
+    (one,) = findings("LCH008", **{"launch/it.launch.py": PARAMETERS.format(parameters=parameters)})
+    assert one.message == f"the parameter {says}, which none can be: launch stops with a TypeError"
+    assert (one.place.line, one.help) == (14, help)
+
+
+@pytest.mark.parametrize(
+    "parameters",
+    [
+        "[config / 'talker.yaml']",
+        "[{'map': str(config / 'hall.yaml')}]",
+        "[{'map': (config / 'hall.yaml').as_posix()}]",
+        "[{'map': f'{maps}/hall.yaml', 'name': maps.name}]",
+        "[{'map': unknown(maps)}]",
+        "[{'map': None if unknown() else 'hall'}]",
+        "[{'map': None, **unknown()}]",
+        "[found]",
+    ],
+)
+def test_a_value_that_a_parameter_may_have(findings, parameters):
+    assert findings("LCH008", **{"launch/it.launch.py": PARAMETERS.format(parameters=parameters)}) == []
+
+
 READS = """\
 import os
 import yaml

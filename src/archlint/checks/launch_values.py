@@ -148,6 +148,9 @@ def _refused(value: RefusedValue) -> Finding:
     if value.pairs:
         message = "launch_arguments= is a dict, of which launch sees the keys alone: it stops at this include"
         help = "add .items(), or write a list of pairs, [('name', 'value')]"
+    elif value.as_parameter:
+        message = f"the parameter '{value.parameter}' is {value.what}, which none can be: launch stops with a TypeError"
+        help = "leave it out, or give it a value" if value.what == "None" else "write str(…) around the path"
     else:
         holds = "contains" if value.in_list else "is"
         of = "the launch argument" if value.argument else f"{value.parameter}= of this {value.action}"

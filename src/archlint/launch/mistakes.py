@@ -134,7 +134,7 @@ class RefusedValue:
     """A value that launch takes for no text: ``what`` says which, and ``parameter`` of which action it is for.
 
     It is a word ``in_list``, the value of a launch ``argument`` that an include is given, or what stands for the
-    ``pairs`` of all of these.
+    ``pairs`` of all of these; or else what a node is given ``as_parameter``, and launch_ros makes no parameter of.
     """
 
     action: str
@@ -144,6 +144,7 @@ class RefusedValue:
     in_list: bool = False
     argument: bool = False
     pairs: bool = False
+    as_parameter: bool = False
 
 
 @dataclass(frozen=True)

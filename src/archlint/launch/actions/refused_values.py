@@ -2,7 +2,8 @@
 
 Source: launch's ``normalize_to_list_of_substitutions``, which takes a string, a substitution, or a list of both, and
 raises a TypeError for anything else; ``IncludeLaunchDescription``, which goes through ``launch_arguments`` as pairs;
-``Executable``, which makes texts of each word of a command line.
+``Executable``, which makes texts of each word of a command line; launch_ros's ``normalize_parameter_dict``, which
+raises a TypeError for None and, unlike launch, for a path of pathlib.  All of them are so from humble to rolling.
 """
 
 from __future__ import annotations
@@ -32,6 +33,9 @@ _WORDS: Mapping[LaunchClass, tuple[str, ...]] = {
     LaunchClass.EXECUTE_PROCESS: ("cmd",),
 }
 """The parameters that are a list of texts."""
+_NODES = frozenset({LaunchClass.NODE, LaunchClass.LIFECYCLE_NODE, LaunchClass.COMPOSABLE_NODE_CONTAINER})
+_DEPTH = 4
+"""How deep dicts of parameters are looked into."""
 
 
 def note_refused_values(run: LaunchRun, action: LaunchObject) -> None:
@@ -54,8 +58,45 @@ def _refused(run: LaunchRun, action: LaunchObject) -> Iterator[RefusedValue]:
             what = next((what for what in refused if what is not None), None)
             if what is not None:
                 yield RefusedValue(action.kind, name, what, action.places[name], in_list=True)
+    given = action.argument("parameters") if action.kind in _NODES else None
+    for parameters in run.items(given) if isinstance(given, ListValue) else ():
+        if isinstance(parameters, DictValue):
+            yield from _of_parameters(run, action, parameters)
     if action.kind is LaunchClass.INCLUDE_LAUNCH_DESCRIPTION and "launch_arguments" in action.places:
         yield from _of_include(run, action)
+
+
+def _of_parameters(
+    run: LaunchRun, action: LaunchObject, parameters: DictValue, within: str = "", depth: int = _DEPTH
+) -> Iterator[RefusedValue]:
+    entries = parameters.entries(run)
+    for key, value in () if entries.open else entries.entries.values():
+        own = run.text_of(key)
+        name = None if own is None else f"{within}{own}"
+        what = _no_parameter(value)
+        place = key.origin if isinstance(key, Known) else None
+        if name is not None and isinstance(value, DictValue) and depth:
+            yield from _of_parameters(run, action, value, f"{name}.", depth - 1)
+        elif name is not None and what is not None and (place or "parameters" in action.places):
+            yield RefusedValue(action.kind, name, what, place or action.places["parameters"], as_parameter=True)
+
+
+def _no_parameter(value: Value) -> str | None:
+    """What a value certainly is that no parameter can be; None where it may be one."""
+    kinds = {_kind_of_no_parameter(option) for option in alternatives(value)}
+    return kinds.pop() if len(kinds) == 1 else None
+
+
+def _kind_of_no_parameter(value: Value) -> str | None:
+    match value:
+        case Known(value=None):
+            return "None"
+        case Known(value=str(), kind="path"):
+            return _PATH
+    return None
+
+
+_PATH = "a pathlib.Path"
 
 
 def _of_include(run: LaunchRun, action: LaunchObject) -> Iterator[RefusedValue]:
