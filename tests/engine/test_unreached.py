@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
+from archlint.cli import main
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 
@@ -121,6 +123,21 @@ def test_other_programs_of_the_package(tmp_path: Path) -> None:
 
 def test_what_a_package_offers_is_for_others_to_call(tmp_path: Path) -> None:
     assert told(tmp_path, IDLE, setup=LIBRARY) == ALL
+
+
+def test_what_is_not_reached_is_counted_and_shown_on_request(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert told(tmp_path, IDLE.replace("print(car.parts)", "print(missing_5, car.parts.stop)")) == [4, 5]
+    monkeypatch.chdir(tmp_path)
+    assert main(["check", "--no-cache"]) == 1
+    said = "1 finding in a function or class that nothing calls is not shown; --all-files shows it."
+    assert said in capsys.readouterr().err.splitlines()
+    main(["check", "--no-cache", "--all-files", "--format", "json"])
+    report = json.loads(capsys.readouterr().out)
+    shown = [(row["file"], row["line"]) for row in report["diagnostics"]]
+    assert shown == [("car/drive.py", 7), ("car/parts.py", 17), ("car/parts.py", 21)]
+    assert report["summary"]["unreached"] == 0
 
 
 def test_names_that_a_list_of_exports_has_call_nothing(tmp_path: Path) -> None:

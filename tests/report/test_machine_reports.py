@@ -78,6 +78,7 @@ def test_json_is_the_contract():
             "unused": 0,
             "unused_files": 0,
             "vendored": 0,
+            "unreached": 0,
         },
     }
 

@@ -88,7 +88,7 @@ def _add_output(parser: argparse.ArgumentParser) -> None:
     output.add_argument(
         "--all-files",
         action="store_true",
-        help="show findings in files that nothing runs, and in packages that others maintain, too",
+        help="show findings in files and functions that nothing runs, and in packages that others maintain, too",
     )
     output.add_argument("--watch", action="store_true", help="check again whenever a file has changed; Ctrl-C ends")
 

@@ -14,7 +14,7 @@ from archlint.records import dataclass
 from archlint.report import statistics
 from archlint.report.fix_marks import fix_line
 from archlint.report.groups import most_important
-from archlint.report.model import Report, summary_line, unused_line, vendored_line
+from archlint.report.model import Report, summary_line, unreached_line, unused_line, vendored_line
 from archlint.report.starting_points import starting_points
 
 if TYPE_CHECKING:
@@ -86,6 +86,7 @@ def remarks(
         notes += [
             summary_line(report.summary),
             unused_line(report.summary),
+            unreached_line(report.summary),
             vendored_line(report.summary),
             fix_line(report.findings),
         ]

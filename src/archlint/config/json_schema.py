@@ -44,7 +44,8 @@ DESCRIPTIONS: Mapping[str, str] = {
     "select": "The only rules that run, by code, prefix, name or ALL.",
     "severity": "How severe the findings of a rule are; the rule by code, prefix or name.",
     "shared-topics": "Topics that several nodes may publish (OWN001).",
-    "unused-files": "Whether findings in files that nothing runs and in packages that others maintain are shown, too.",
+    "unused-files": "Whether findings in files and functions that nothing runs and in packages that others maintain "
+    "are shown, too.",
 }
 """What each key of a configuration says, for people."""
 

@@ -60,7 +60,7 @@ class Settings:
     node_layers: Layers | None = None
     rules: Mapping[str, Mapping[str, OptionValue]] = field(default_factory=dict)
     unused_files: bool = False
-    """Whether findings in files that nothing runs are shown, too."""
+    """Whether findings in files and functions that nothing runs are shown, too."""
     plugins: tuple[str, ...] = ()
     """The plugins that are named, whether they run or not."""
     running_plugins: tuple[Plugin, ...] = ()

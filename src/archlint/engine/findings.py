@@ -32,9 +32,10 @@ from archlint.engine.merging import folded, merged
 from archlint.engine.passed_over import passed_over
 from archlint.engine.repeats import once_for_copied_lines
 from archlint.engine.request import NothingToDo, Request
+from archlint.engine.second_lines import without_second_lines
 from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.engine.summaries_ahead import SummariesAhead
-from archlint.engine.unreached import of_lines_that_run
+from archlint.engine.unreached import without_unreached
 from archlint.engine.unread_data import is_manifest_to_fill, is_to_be_filled_in, unread_data, with_its_reason
 from archlint.engine.unused_files import apart, count_of_files, unused_files
 from archlint.engine.vendored_packages import without_vendored
@@ -129,6 +130,7 @@ def _joined(judged: Sequence[Judged], inputs: Inputs) -> Judged:
         unused=sum(part.summary.unused for part in judged),
         unused_files=sum(part.summary.unused_files for part in judged),
         vendored=sum(part.summary.vendored for part in judged),
+        unreached=sum(part.summary.unreached for part in judged),
     )
     notices = list(dict.fromkeys(notice for part in judged for notice in part.notices))
     return Judged(findings, summary, notices, launched=[file for part in judged for file in part.launched])
@@ -163,10 +165,9 @@ def _judged(
     ran.append(_ran(request, systems))
     stale = suppressions.stale(outcome.unused, ran[-1])
     about = _wanted([*stale, *suppressions.without_reason(by_file)], request.settings, workspace)
-    kept = [*of_lines_that_run(index, outcome.kept), *suppressions.apply(about, by_file).kept]
+    kept = [*without_second_lines(index, outcome.kept), *suppressions.apply(about, by_file).kept]
     sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
-    own, vendored = without_vendored(index, sifted.new, request)
-    new, hidden = apart(index, own, unused)
+    new, vendored, hidden, unreached = _shown_and_not(index, sifted.new, unused, request)
     explained = uninstalled.once_for_a_file(with_reason(folded(new, in_a_part=is_a_part), old), aside)
     findings = _without_copies(inputs, facts, index, explained)
     shown = as_asked_for(request, systems[0], workspace)
@@ -182,6 +183,7 @@ def _judged(
         unused=len(folded(hidden)),
         unused_files=count_of_files(hidden, unused),
         vendored=len(folded(vendored)),
+        unreached=len(folded(unreached)),
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
     notices = [*passed_over(workspace, request.paths, facts, launch_files), *_of_systems(request, workspace, systems)]
@@ -189,6 +191,16 @@ def _judged(
     said = [*refused, *notices, *_idle(request.settings, systems)]
     judged = Judged(findings, summary, said, remarks=[*comparison_words(systems[0].compared)])
     return replace(judged, launched=launched_files(systems, findings)), shown, systems
+
+
+def _shown_and_not(
+    index: WorkspaceIndex, findings: Sequence[Finding], unused: frozenset[str], request: Request
+) -> tuple[list[Finding], list[Finding], list[Finding], list[Finding]]:
+    """The findings that are shown, and those in packages of others, in unused files and in code that is not reached."""
+    own, vendored = without_vendored(index, findings, request)
+    of_files, hidden = apart(index, own, unused)
+    shown, unreached = without_unreached(index, of_files, request)
+    return shown, vendored, hidden, unreached
 
 
 def _without_repeats(judged: Judged, inputs: Inputs) -> Judged:

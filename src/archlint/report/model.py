@@ -41,6 +41,8 @@ class Summary:
     """How many files these are in."""
     vendored: int = 0
     """Findings that are not shown, for they are in packages that others maintain."""
+    unreached: int = 0
+    """Findings that are not shown, for they are about lines to which no program comes."""
 
     @property
     def findings(self) -> int:
@@ -109,6 +111,7 @@ def summarise(
     unused: int = 0,
     unused_files: int = 0,
     vendored: int = 0,
+    unreached: int = 0,
 ) -> Summary:
     count = Counter(finding.severity for finding in findings)
     return Summary(
@@ -125,6 +128,7 @@ def summarise(
         unused=unused,
         unused_files=unused_files,
         vendored=vendored,
+        unreached=unreached,
     )
 
 
@@ -159,6 +163,18 @@ def vendored_line(summary: Summary) -> str:
     if summary.vendored == 1:
         return "1 finding in a package that others maintain is not shown; --all-files shows it."
     return f"{summary.vendored} findings in packages that others maintain are not shown; --all-files shows them."
+
+
+def unreached_line(summary: Summary) -> str:
+    """What is not shown of lines to which no program comes, in one sentence; empty where all is shown."""
+    if not summary.unreached:
+        return ""
+    if summary.unreached == 1:
+        return "1 finding in a function or class that nothing calls is not shown; --all-files shows it."
+    return (
+        f"{summary.unreached} findings in functions and classes that nothing calls are not shown; "
+        "--all-files shows them."
+    )
 
 
 def unused_line(summary: Summary) -> str:
