@@ -601,6 +601,24 @@ while self.name is None:
         asks = "def tick(self):\n    self.client.call_async(Trigger.Request())\n"
         assert codes(run(source(setup, asks, ON_ONE_THREAD))) == ["CBG002"]
 
+    @pytest.mark.parametrize(
+        ("other", "told"),
+        [
+            ("self.client = self.create_client(Trigger, 'a')", 0),
+            ("self.client.call_async(Trigger.Request())", 1),
+        ],
+    )
+    @pytest.mark.parametrize("rest", ["", "def broken(self log_level=0): pass\n"])
+    def test_a_client_of_another_file_with_that_name(self, run: Run, tmp_path: Path, other: str, told: int, rest: str):
+        """Be it a file that Python cannot read."""
+        setup = (
+            "self.create_timer(5.0, self.tick)\n"
+            "self.client = self.create_client(Trigger, 'a', callback_group=ReentrantCallbackGroup())"
+        )
+        text = f"from rclpy.node import Node\n\n\nclass Other(Node):\n    def make(self):\n        {other}\n\n\n{rest}"
+        (tmp_path / "other.py").write_text(text, encoding="utf-8")
+        assert codes(run(source(setup, self.TICK, ON_ONE_THREAD))).count("CBG002") == told
+
     def test_a_coroutine_that_awaits_keeps_its_group(self, run: Run):
         setup = "group = ReentrantCallbackGroup()\nself.create_timer(5.0, self.tick, callback_group=group)"
         waiting = "async def tick(self):\n    await self.job.completion\n"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from itertools import chain
@@ -130,8 +131,12 @@ def _classes(code: facts.Facts | None) -> set[str]:
 
 
 def _sets_itself(workspace: WorkspaceIndex, file: str, name: str) -> bool:
-    uses = _uses(workspace, file)
-    return uses is not None and name in uses.kept.values()
+    """Whether a file keeps the result of a call in an attribute of that name; of one that Python cannot read, by its
+    lines."""
+    uses, code = _uses(workspace, file), workspace.facts_at(file)
+    if uses is None or code is None or code.problems:
+        return bool(workspace.tree.lines_with(file, rf"^\s*self\.{re.escape(name)}\s*=\s*\w[\w.]*\("))
+    return name in uses.kept.values()
 
 
 def _kept_as(workspace: WorkspaceIndex, place: Place) -> tuple[str, frozenset[str]] | None:
