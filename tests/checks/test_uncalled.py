@@ -259,7 +259,7 @@ USES_HELPERS = CAR.replace("car.brake import Brake", "car.brake import Brake\nfr
         ({"car/drive.py": CAR.replace("self.brake.press()", "slow = self.brake.press()")}, False),
         ({"car/drive.py": USES_HELPERS.replace("import slow", "import slower"), "car/helpers.py": TRIED}, False),
         ({"setup.py": TRIED_PROGRAM, "car/drive.py": USES_HELPERS, "car/helpers.py": TRIED}, True),
-        ({"car/helpers.py": HELPERS.replace("def slow(", "@noted\ndef slow(")}, True),
+        ({"car/drive.py": USES_HELPERS, "car/helpers.py": HELPERS.replace("def slow(", "@noted\ndef slow(")}, True),
         ({"setup.py": SETUP.replace(":main']", ":main', 'slow = car.helpers:slow']")}, True),
         ({"setup.py": LIBRARY}, True),
     ],

@@ -140,8 +140,8 @@ HELPER = "import json\n{more}\nKNOWN = [missing]\n\n\ndef node(topic):\n    retu
     [
         ({}, 0),
         ({"robot/robot/driver.py": "from robot.helper import node\n\n\ndef main():\n    node('a')\n"}, 1),
-        ({"robot/robot/helper.py": HELPER.replace("{more}", "import rclpy")}, 1),
-        ({"robot/robot/helper.py": HELPER.replace("{more}", "from std_msgs.msg import String\nrclpy = None")}, 1),
+        ({"robot/robot/helper.py": HELPER.replace("{more}", "import rclpy")}, 0),
+        ({"robot/robot/helper.py": HELPER.replace("{more}", "from std_msgs.msg import String\nrclpy = None")}, 0),
         ({"robot/robot/helper.py": HELPER + "\n\nnode('a')\n"}, 1),
         ({"robot/test/test_it.py": "import rclpy\nfrom robot import helper\n"}, 1),
         ({"robot/setup.py": SETUP.split("    entry_points")[0] + ")\n"}, 1),
@@ -180,6 +180,33 @@ PROBE = "robot/robot/probes/probe.py"
 )
 def test_a_module_that_find_packages_leaves_out(told: Told, files: dict[str, str], told_of: list[str]):
     assert told({"robot/setup.py": SEARCHES, PROBE: MODULE, **files}, "API005") == told_of
+
+
+SONAR = "robot/robot/sonar.py"
+OTHER = """<package format="3"><name>arm</name><exec_depend>robot</exec_depend>
+<export><build_type>ament_python</build_type></export></package>"""
+
+
+@pytest.mark.parametrize(
+    ("files", "told_of"),
+    [
+        ({}, []),
+        ({"robot/robot/robots.py": "from robot.sonar import NAME\nimport rclpy\n"}, []),
+        ({"robot/robot/driver.py": "KINDS = ['sonar']\n\n\ndef main():\n    print(KINDS)\n"}, [SONAR]),
+        ({"robot/robot/sonar.py": f"{MODULE}\n\nif __name__ == '__main__':\n    Probe()\n"}, []),
+        ({"robot/robot/driver.py": "import importlib\n\n\ndef main():\n    print()\n"}, [SONAR]),
+        ({"robot/test/test_it.py": "import rclpy\nfrom robot import sonar\n"}, [SONAR]),
+        ({"arm/package.xml": OTHER, "arm/setup.py": "import setuptools\n"}, [SONAR]),
+        ({"robot/setup.py": SETUP.replace("'console_", "'probes': ['p = robot.sonar:Probe'], 'console_")}, [SONAR]),
+        ({"robot/plugin.xml": "<library><class type='robot.sonar.Probe'/></library>"}, [SONAR]),
+    ],
+    ids=[
+        *("nobody", "an idle module", "a text", "a script", "a loader", "a test", "a package that others need"),
+        *("an entry point of another kind", "a plugin"),
+    ],
+)
+def test_a_module_of_ros_that_only_idle_ones_name(told: Told, files: dict[str, str], told_of: list[str]):
+    assert told({"robot/robot/sonar.py": MODULE, **files}, "API005") == told_of
 
 
 SPARE = "robot/launch/spare.launch.py"

@@ -10,6 +10,7 @@ from __future__ import annotations
 import fnmatch
 import posixpath
 import re
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import (
@@ -17,8 +18,10 @@ from archlint.analysis.aside import (
     is_left_alone,
     is_named_by_launch,
     is_not_installed,
+    python_build_files,
 )
 from archlint.analysis.kept import kept, once
+from archlint.analysis.reached_code import needed_packages
 from archlint.packaging.told_scripts import is_told_to_run
 from archlint.packaging.unbuilt_files import runs_nowhere
 from archlint.packaging.uninstalled_files import is_left_out_launch_file, is_meant_to_start, is_told_to_start
@@ -149,17 +152,59 @@ def _is_left_out(workspace: WorkspaceIndex, file: str) -> bool:
 
 def _is_idle_module(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether no program here comes to a module of a package that installs programs, and the module imports nothing of
-    ROS: what is left of a library that was copied for another part of it."""
+    ROS, or no file that may run has a word for it: what is left of a library that was copied for another part of it,
+    or of a node that nothing makes any more."""
+    if not _is_uncalled_for(workspace, file):
+        return False
+    code = workspace.facts_at(file)
+    return code is not None and (not _imports_ros(code) or _is_named_by_idle_ones(workspace, file))
+
+
+def _is_uncalled_for(workspace: WorkspaceIndex, file: str) -> bool:
     installs = workspace.installs.get(workspace.package_of(file) or "")
     code = None if installs is None else workspace.facts_at(file)
     if installs is None or code is None or not installs.executables or installs.open_executables:
         return False
     if code.problems:  # who knows what it imports and calls
         return False
-    if not _is_below(installs, file) or main_guard(code) is not None or _imports_ros(code):
+    if not _is_below(installs, file) or main_guard(code) is not None:
         return False
     used = file in workspace.code.in_use or file in _tested(workspace) or is_named_by_launch(workspace, _stem(file))
     return not used and not is_told_to_run(workspace, file) and not _calls_as_it_loads(code)
+
+
+def _is_named_by_idle_ones(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether only modules of that kind have a word for one, in a package that no other one here needs and that loads
+    nothing by a name which is put together."""
+    package, code = workspace.package_of(file) or "", workspace.code
+    if package in needed_packages(workspace) or any(_may_take(row, file) for row in workspace.installs[package].files):
+        return False
+    if any(code.mentions(other, word) for other in code.files_of(package) for word in _LOADING):
+        return False
+    built = (*python_build_files(workspace.installs[package]), *_data_files(workspace, package))
+    waiting, seen = [file], {file}
+    while waiting and len(seen) <= _MANY:
+        stem = _stem(waiting.pop())
+        fresh = [other for other in code.files_that_mention(stem) if other not in seen]
+        if stem == "__init__" or any(code.mentions(path, stem) for path in built):
+            return False
+        if not all(_is_uncalled_for(workspace, other) for other in fresh):
+            return False
+        seen.update(fresh)
+        waiting += fresh
+    return not waiting
+
+
+def _data_files(workspace: WorkspaceIndex, package: str) -> Iterator[str]:
+    """The files of a package by which others load its modules: descriptions of plugins, parameters."""
+    folder = posixpath.dirname(workspace.packages[package].manifest.relative) or workspace.tree.top
+    return (path for path in workspace.tree.files_below(folder) if path.endswith(_DATA))
+
+
+_DATA = (".cfg", ".json", ".toml", ".xml", ".yaml", ".yml")
+_LOADING = ("__import__", "importlib", "pkgutil", "exec")
+_MANY = 10
+"""Of how many modules it is asked who names them."""
 
 
 def _imports_ros(code: facts.Facts) -> bool:
