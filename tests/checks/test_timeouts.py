@@ -1421,7 +1421,14 @@ def test_a_method_of_that_name_in_a_file_that_only_says_the_name_of_the_module(j
         pytest.param("pass", MAIN, "", [], id="nothing names it"),
         pytest.param("pass", CALLS_IT, "", ["TMO003", "TMO004"], id="it is called"),
         pytest.param("start(self.blink)", MAIN, "", ["TMO003", "TMO004"], id="it is handed on"),
-        pytest.param("pass", MAIN, "def use(panel):\n    panel.blink()\n", ["TMO003", "TMO004"], id="another file"),
+        pytest.param("pass", MAIN, "def use(panel):\n    panel.blink()\n", [], id="a file that nothing imports"),
+        pytest.param(
+            "pass",
+            CALLS_IT.replace("panel.blink()", "import other\n    other.use(panel)"),
+            "def use(panel):\n    panel.blink()\n",
+            ["TMO003", "TMO004"],
+            id="another file",
+        ),
         pytest.param("pass", "", "", ["TMO003", "TMO004"], id="a library's"),
     ],
 )
@@ -1431,7 +1438,15 @@ def test_a_method_that_no_file_of_the_workspace_names_does_not_run(
     package = tmp_path / "panel"
     package.mkdir()
     (package / "package.xml").write_text(
-        "<package format='3'><name>panel</name><version>0.0.1</version></package>", encoding="utf-8"
+        "<package format='3'><name>panel</name><version>0.0.1</version>"
+        "<export><build_type>ament_python</build_type></export></package>",
+        encoding="utf-8",
+    )
+    scripts = ["panel = panel:main"] if main else []
+    (package / "setup.py").write_text(
+        "from setuptools import setup\n\n"
+        f"setup(name='panel', py_modules=['panel', 'other'], entry_points={{'console_scripts': {scripts}}})\n",
+        encoding="utf-8",
     )
     (package / "panel.py").write_text(UNUSED.format(line=line, main=main), encoding="utf-8")
     (package / "other.py").write_text(other, encoding="utf-8")

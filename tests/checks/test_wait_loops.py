@@ -374,7 +374,12 @@ def test_a_class_that_nothing_names(judge: Judge, tmp_path, uses: str, mark: str
     text = HELPER.format(say="pass", more="", mark=mark, made=uses or "pass")
     (tmp_path / "package.xml").write_text(
         "<package format='3'><name>robot</name><version>0.0.1</version><description>d</description>"
-        "<maintainer email='a@b.org'>a</maintainer><license>MIT</license></package>"
+        "<maintainer email='a@b.org'>a</maintainer><license>MIT</license>"
+        "<export><build_type>ament_python</build_type></export></package>"
+    )
+    (tmp_path / "setup.py").write_text(
+        "from setuptools import setup\n\n"
+        "setup(name='robot', py_modules=['node'], entry_points={'console_scripts': ['robot = node:main']})\n"
     )
     judge("TMO004", text)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.left_over import is_never_made
 from archlint.analysis.reach import (
     calls_of,
     creations_of,
@@ -42,14 +41,13 @@ def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
     """Waits with a timeout whose result is ignored, and that nothing checks later; waits for the wrong server."""
     asked = _clients_asked_for(system)
     mistaken = mistaken_waits(system)
-    yield from (_mistaken(system, row) for row in mistaken if not is_never_made(system.workspace, row.wait))
+    yield from (_mistaken(system, row) for row in mistaken)
     told = {row.wait.place for row in mistaken}
     yield from one_for_each_place(
         _ignored(system, call)
         for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER))
         if call.place not in told
         and is_thrown_away(source_code(system), call)
-        and not is_never_made(system.workspace, call)
         and has_limit(call, "timeout_sec")
         and asked.isdisjoint(creation.place for creation in creations_of(call.receiver))
         and not _is_served_by_itself(call)

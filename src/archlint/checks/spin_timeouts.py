@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_example
 from archlint.analysis.copied_classes import is_in_copied_class
-from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
 from archlint.analysis.order import always_comes_before
 from archlint.analysis.reach import argument, calls_of, creations_of, node_name, one_for_each_place, waits_for_ever
@@ -68,7 +67,6 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         _limitless_spin(system, program, call, options)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
         if waits_for_ever(source_code(system), call, "timeout_sec") and call.place not in reported
-        if not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
         if not spins_for_own_future(call) or spins_for_a_message(system, call)
         if not spins_for_own_task(system, program, call)
         if call.context.role != Role.METHOD or _may_be_called(program, call)

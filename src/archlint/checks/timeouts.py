@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_example, is_not_installed
-from archlint.analysis.left_over import is_dead, is_never_made
+from archlint.analysis.left_over import is_dead
 from archlint.analysis.limit_sites import sites_of_wait
 from archlint.analysis.reach import (
     calls_of,
@@ -81,7 +81,6 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if not (call.context.role == Role.METHOD and call.place in called)
         # Below zero a client does not wait at all; wait_for_message() then waits forever.
         and waits_for_ever(source_code(system), call, _LIMIT[call.api], negative=call.api == WAIT_FOR_MESSAGE)
-        and not is_never_made(system.workspace, call)
         and not _is_unused(system, program, call)
         and not is_announced_start(system, call)
         and not is_announced_beside_others(system, program, call)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.reach import (
     argument,
     creations_of,
@@ -27,7 +26,7 @@ from archlint.python_code.mistaken_futures import function_of, mistaken_futures,
 from archlint.python_code.spin_results import tested_spins
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, MistakenFuture, Program
+    from archlint.model import MistakenFuture
     from archlint.systems.model import System
 
 
@@ -43,12 +42,8 @@ def unchecked_result(system: System, options: Options) -> Iterator[Finding]:
     in_callbacks = {result.call.place for result in early if runs_in_executor(result.call.context)}
     yield from one_for_each_place(
         (
-            *(_unchecked(system, use) for use in unchecked_results(system) if _runs(system, use.program, use.spin)),
-            *(
-                _too_early(system, result)
-                for result in early
-                if result.call.place not in in_callbacks and _runs(system, result.program, result.call)
-            ),
+            *(_unchecked(system, use) for use in unchecked_results(system)),
+            *(_too_early(system, result) for result in early if result.call.place not in in_callbacks),
             *(told for use in mistaken_futures(system) for told in unless_uncalled(system, _mistaken(system, use))),
             *(map(_tested, tested_spins(system.workspace)) if system.workspace is not None else ()),
         )
@@ -63,10 +58,6 @@ def _tested(place: Place) -> Finding:
         help="call it, and then ask future.done()",
         identity=("spin", "tested"),
     )
-
-
-def _runs(system: System, program: Program, call: ApiCall) -> bool:
-    return not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
 
 
 def _unchecked(system: System, use: UncheckedResult) -> Finding:

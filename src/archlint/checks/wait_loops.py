@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.reach import calls_at_start, calls_of, creations_of, has_limit, node_name, related_creation
 from archlint.analysis.source_code import source_code
 from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
@@ -66,8 +65,6 @@ def _endless_loops(
     loops: dict[Place, list[ApiCall]] = {}
     for program, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
         if not (call.api in READY or has_limit(call, "timeout_sec")) or not only_the_server_ends(code.loop(call)):
-            continue
-        if is_dead(system.workspace, program, call) or is_never_made(system.workspace, call):
             continue
         if is_there(system, call) or was_waited_for(system, call):
             continue
