@@ -95,3 +95,52 @@ def test_a_setup_file(judge: Judge, comma: str, build_type: str, lines: list[int
     findings = check(Request((".",), load(judge.folder), cached=False, jobs=1)).findings
     assert [one.place.line for one in findings] == lines
     assert all("the build of the package stops" in one.message for one in findings)
+
+
+MODULE = """
+class node1:
+    pass
+
+
+class Arm:
+    pass
+"""
+
+
+@pytest.mark.parametrize("how", ["import node1", "from . import node1"])
+def test_a_module_that_is_called(judge: Judge, how: str):
+    """It is called like the class in it, which nobody has imported."""
+    code = f"{how}\n{NODE}"
+    (finding,) = judge("API001", code.format(line="self.arm = node1()  # here"), MODULE)
+    assert finding.message == "'node1' is the module node1.py, and calling it fails with a TypeError"
+    assert finding.help == "call what is in it: node1.node1(…)"
+    (finding,) = judge("API001", code.format(line="self.arm = node1()  # here"), "class Arm:\n    pass\n")
+    assert finding.help == "call what is in it, as node1.NAME(…)"
+
+
+@pytest.mark.parametrize(
+    ("how", "line", "module"),
+    [
+        ("import node1", "self.arm = node1.Arm()", MODULE),
+        ("from node1 import node1", "self.arm = node1()", MODULE),
+        ("import node1\nnode1 = node1.Arm", "self.arm = node1()", MODULE),
+        ("import node1", "self.arm = node1()", "import sys\n\nsys.modules[__name__] = print\n"),
+        ("try:\n    import node1\nexcept ImportError:\n    node1 = print", "self.arm = node1()", MODULE),
+        ("import node1", "try:\n            node1()\n        except TypeError:\n            pass", MODULE),
+    ],
+)
+def test_what_is_called_may_be_no_module(judge: Judge, how: str, line: str, module: str):
+    judge("API001", f"{how}\n{NODE.format(line=line)}", module)
+
+
+@pytest.mark.parametrize(
+    ("init", "told"), [("", True), ("from robot.Arm import Arm\n", False), ("def __getattr__(name): ...\n", False)]
+)
+def test_a_module_of_a_package_that_may_have_something_else_by_its_name(findings, init: str, told: bool):
+    code = f"from robot import Arm\n{NODE.format(line='self.arm = Arm()')}"
+    rows = findings(
+        "API001",
+        **{"robot/talker.py": code, "robot/Arm.py": "class Arm:\n    pass\n", "robot/__init__.py": init},
+    )
+    expected = ["'Arm' is the module robot/Arm.py, and calling it fails with a TypeError"]
+    assert [row.message for row in rows] == (expected if told else [])

@@ -11,6 +11,7 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.array_truths import ArrayTruth, array_truths
+from archlint.python_code.called_modules import CalledModule, called_modules
 from archlint.python_code.called_values import CalledValue, called_values
 from archlint.python_code.empty_lists import ItemOfNothing, items_of_nothing
 from archlint.python_code.formatted_texts import WrongCount, wrong_counts
@@ -55,6 +56,8 @@ def used_value_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _parameter(parameter))
         for called in called_values(system.workspace):
             yield from unless_uncalled(system, _called(called))
+        for module in called_modules(system.workspace):
+            yield from unless_uncalled(system, _called_module(module))
         for default in refused_defaults(system.workspace):
             yield from unless_uncalled(system, _default(default))
         for hidden in hidden_messages(system.workspace):
@@ -106,6 +109,21 @@ def _misused(row: MisusedKind, code: str) -> Finding:
         related=[Related(row.assigned, f"this is what {row.what} gets")],
         identity=(row.what, row.misuse, row.name),
         group=(OF_MODULE if code == "API002" else row.place.file, PLAIN, row.place.file, row.what, row.kind),
+        fails=True,
+    )
+
+
+def _called_module(row: CalledModule) -> Finding:
+    own = row.file.rpartition("/")[2].removesuffix(".py")
+    return finding(
+        "API001",
+        row.place,
+        f"'{row.name}' is the module {row.file}, and calling it fails with a TypeError",
+        help=f"call what is in it: {row.name}.{own}(…)"
+        if row.has_own
+        else f"call what is in it, as {row.name}.NAME(…)",
+        identity=("called", row.name, row.file),
+        group=(row.place.file, "called module", row.name),
         fails=True,
     )
 

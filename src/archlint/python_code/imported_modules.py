@@ -53,7 +53,9 @@ def module_meant_by(workspace: WorkspaceIndex, file: str, name: str) -> str | No
 def _may_bind(workspace: WorkspaceIndex, package: str, name: str) -> bool:
     """Whether the ``__init__.py`` of a package may have something else by the name of a module."""
     code = workspace.facts_at(package)
-    return code is None or bool(stars(code)) or may_make_names(code) or name in own_names(code)
+    if code is None or stars(code) or may_make_names(code):
+        return True
+    return not own_names(code).isdisjoint({name, "__getattr__"})
 
 
 def _file_of_module(workspace: WorkspaceIndex, file: str, module: str, level: int) -> str | None:
