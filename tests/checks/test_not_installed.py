@@ -211,6 +211,22 @@ def test_a_package_dir(findings):
     assert findings("PKG004", **files, **{"src/robot/words/__init__.py": ""}) == []
 
 
+def test_a_module_in_a_package_dir_without_a_package(findings):
+    """``find_packages('src')`` finds the packages in that folder, and none of its modules."""
+    moved = "    package_dir={'': 'src'},\n"
+    files = {"src/talker.py": "def main(): ...\n", "src/__init__.py": ""}
+
+    def build(packages: str, more: str = moved) -> str:
+        return setup(packages, more).replace("robot.talker:main", "talker:main")
+
+    for packages in ("find_packages('src')", "[]"):
+        (finding,) = findings("PKG004", **files, **{"setup.py": build(packages)})
+        assert finding.message.startswith("packages= leaves out 'talker', in which the executable 'talker' is")
+        assert finding.help == "add py_modules=['talker']"
+    fine = build("find_packages('src')", f"{moved}    py_modules=['talker'],\n")
+    assert findings("PKG004", **files, **{"setup.py": fine}) == []
+
+
 def test_a_package_dir_that_is_not_there(findings):
     moved = "    package_dir={'': 'src'},\n"
     files = CODE | INITS | {"setup.py": setup("find_packages()", moved)}

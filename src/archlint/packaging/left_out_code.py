@@ -69,8 +69,10 @@ def _file_of(workspace: WorkspaceIndex, executable: Executable) -> str | None:
 
 
 def _beside_setup(workspace: WorkspaceIndex, package: str, module: str) -> str | None:
-    """The file of a module in a folder beside setup.py that is no package of Python, such as ``scripts``."""
-    folder = workspace.installs[package].folder
+    """The file of a module in a folder beside setup.py that is no package of Python, such as ``scripts``, or in that
+    of ``package_dir={'': 'src'}``."""
+    installs = workspace.installs[package]
+    folder = (installs.python.root if installs.python is not None else "") or installs.folder
     path = posixpath.normpath(posixpath.join(folder, f"{module.replace('.', '/')}.py"))
     return path if path in workspace.code.files_named(package, module) else None
 

@@ -32,8 +32,15 @@ def python_code(installs: Installs, run: SetupRun, keywords: Mapping[str, Value]
 
     absent = _absent(run, shown, names, folders)
     in_vain = () if absent is not None else tuple(n for n in names if not _is_there(run, shown(_folder(n, folders))))
+    root = shown(folders[""]) if folders.get("") else ""
     return PythonCode(
-        frozenset(map(shown, places)), frozenset(map(shown, files)), run.packages_at, run.searches, absent, in_vain
+        frozenset(map(shown, places)),
+        frozenset(map(shown, files)),
+        run.packages_at,
+        run.searches,
+        absent,
+        in_vain,
+        root,
     )
 
 

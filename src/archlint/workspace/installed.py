@@ -188,6 +188,8 @@ class PythonCode:
     absent: AbsentFolder | None = None
     listed_in_vain: tuple[str, ...] = ()
     """The packages whose folders are not there: setuptools stops at the first."""
+    root: str = ""
+    """The folder in which ``package_dir={'': …}`` puts what stands in no package; empty where nothing says so."""
 
     def has(self, path: str) -> bool:
         """Whether a file of Python, by its shown path, is installed."""
