@@ -176,3 +176,84 @@ def test_a_parameter_file_in_which_launch_or_the_node_performs_them(findings):
     assert _given(findings, text, **{"robot/talker.py": reads}) == []
     assert _given(findings, "costs 5$ (five)") == []
     assert _given(findings, "$(date)") == []
+
+
+ROBOT = """<?xml version="1.0"?>
+<robot name="robot" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  {line}
+</robot>
+"""
+DESCRIBED = (
+    '<node pkg="robot" exec="talker"><param name="robot_description" '
+    "value=\"$(command 'xacro $(find-pkg-share robot)/urdf/robot.urdf.xacro')\"/>{more}</node>"
+)
+
+
+def _described(findings, line, more=""):
+    files = {"urdf/robot.urdf.xacro": ROBOT.format(line=line)}
+    return findings("LCH007", DESCRIBED.format(more=more), **files)
+
+
+@pytest.mark.parametrize(
+    ("line", "written", "help"),
+    [
+        ("<a b='$(robot)/config/a.yaml'/>", "$(robot)", "write '$(find robot)'"),
+        ("<a>$(robot)/config/a.yaml</a>", "$(robot)", "write '$(find robot)'"),
+        ("<a b='$(findd robot)/a.yaml'/>", "$(findd robot)", "write '$(find …)'"),
+        ("<a b='$(find-pkg-share robot)/a.yaml'/>", "$(find-pkg-share robot)", "write '$(find …)'"),
+        ("<a b='$(var prefix)'/>", "$(var prefix)", "write '$(arg …)'"),
+        (
+            "<a b='$(share)'/>",
+            "$(share)",
+            "write one of those that it knows: find, arg, env, optenv, anon, dirname, eval, cwd",
+        ),
+        ("<xacro:property name='p' value='1'/><a b='$(share)'/>", "$(share)", None),
+        ("<xacro:if value='1'><a/></xacro:if><a b='$(share)'/>", "$(share)", None),
+    ],
+)
+def test_a_substitution_that_xacro_does_not_know(findings, line, written, help):
+    (told,) = _described(findings, line)
+    assert told.message == f"xacro knows no '{written}': it stops here, and the robot has no description"
+    assert help is None or told.help == help
+    assert (told.place.file, told.place.line) == ("urdf/robot.urdf.xacro", 3)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "<a b='$(find robot)/a.yaml' c='$(arg prefix)' d='$(env HOME)' e='$(optenv X y)' f='$(dirname)' g='$(cwd)'/>",
+        "<a b='$(eval 1 + 2)' c='${1 + 2}'/>",
+        "<a b='$$(share)' c='(share)'/>",
+        "<!-- <a b='$(share)'/> -->",
+        "<a><![CDATA[$(share)]]></a>",
+        "<xacro:property name='p' value='$(share)'/>",
+        "<xacro:macro name='m'><a b='$(share)'/></xacro:macro>",
+        "<xacro:if value='${False}'><xacro:if value='1'/><a b='$(share)'/></xacro:if>",
+        "<a b='$(${command} robot)'/>",
+    ],
+)
+def test_what_xacro_knows_or_may_never_come_to(findings, line):
+    assert _described(findings, line) == []
+
+
+FILLED_IN = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    share = get_package_share_directory('robot')
+    with open(os.path.join(share, 'urdf', 'robot.urdf.xacro')) as file:
+        text = file.read().replace('{replaced}', share)
+    return LaunchDescription([
+        Node(package='robot', executable='talker', parameters=[{{'robot_description': text}}]),
+    ])
+"""
+
+
+def test_a_description_that_a_launch_file_fills_in_or_that_none_reads(findings):
+    robot = {"urdf/robot.urdf.xacro": ROBOT.format(line="<a b='$(share)'/>")}
+    assert findings("LCH007", **robot, **{"launch/it.launch.py": FILLED_IN.format(replaced="$(share)")}) == []
+    assert findings("LCH007", node("talker"), **robot) == []
+    assert len(findings("LCH007", **robot, **{"launch/it.launch.py": FILLED_IN.format(replaced="$(other)")})) == 1

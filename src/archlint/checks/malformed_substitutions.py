@@ -10,6 +10,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.launch_files.malformed_substitutions import Malformed, MalformedText, malformed_substitutions
+from archlint.launch_files.unknown_xacro_commands import KNOWN_TO_XACRO, unknown_to_xacro
 from archlint.launch_files.unperformed_substitutions import unperformed_substitutions
 
 if TYPE_CHECKING:
@@ -28,6 +29,15 @@ def malformed_substitution(system: System, options: Options) -> Iterator[Finding
             help=help,
             identity=(malformed.kind, malformed.written),
             group=(file,),
+        )
+    for unknown in unknown_to_xacro(system):
+        yield finding(
+            "LCH007",
+            unknown.place,
+            f"xacro knows no '{unknown.written}': it stops here, and the robot has no description",
+            help=f"write '{unknown.meant}'" if unknown.meant else f"write one of those that it knows: {KNOWN_TO_XACRO}",
+            identity=("xacro", unknown.written),
+            group=(unknown.place.file, "xacro"),
         )
     for text in unperformed_substitutions(system):
         yield finding(

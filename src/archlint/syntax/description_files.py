@@ -12,9 +12,10 @@ from archlint.records import dataclass
 from archlint.syntax.facts import Span
 from archlint.workspace.comments import blank_xml_comments
 
-_TAG = re.compile(
+TAG = re.compile(
     r"<(/?)([A-Za-z][\w:.-]*)((?:\s+[\w:.-]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*)\s*(/?)>",
 )
+"""A tag of XML: whether it closes an element, its name, its attributes, whether the element is empty."""
 _FILE = re.compile(r"(?<![\w:.-])filename\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _OPTIONAL = re.compile(r"(?<![\w:.-])optional\s*=")
 _PERHAPS = frozenset({"xacro:if", "xacro:unless", "xacro:macro"})
@@ -42,7 +43,7 @@ def files_named(text: str) -> Iterator[NamedFile]:
         return
     perhaps = 0
     text = blank_xml_comments(text)
-    for match in _TAG.finditer(text):
+    for match in TAG.finditer(text):
         closing, tag, attributes, is_empty = match.groups()
         if tag in _PERHAPS and not is_empty:
             perhaps += -1 if closing else 1
@@ -64,4 +65,4 @@ def _named(text: str, match: re.Match[str], included: bool) -> Iterator[NamedFil
     yield NamedFile(None if in_package is None else in_package[1], path, span, included)
 
 
-__all__ = ["NamedFile", "files_named"]
+__all__ = ["TAG", "NamedFile", "files_named"]
