@@ -351,6 +351,30 @@ def test_the_value_that_makes_bad_names_is_told_where_it_is_set(findings, parame
 
 
 @pytest.mark.parametrize(
+    "test",
+    [
+        "not prefix.startswith('/')",
+        "prefix[0] != '/'",
+        "prefix[:1] != '/'",
+    ],
+)
+def test_a_prefix_that_the_code_completes(findings, test: str):
+    """Of a callback, that might see another value: what the test proves of the prefix is known all the same."""
+    told = node('<param name="prefix" value="/perception"/>')
+    lines = f"""prefix = self.get_parameter('prefix').value.rstrip('/')
+        if {test}:
+            prefix = '/' + prefix
+        self.create_publisher(String, f'{{prefix}}/mask', 10)
+"""
+    code = TALKER.replace(
+        "self.declare_parameter('rate', 1.0)",
+        "self.declare_parameter('prefix', '/perception')\n        self.create_timer(1.0, self.start)",
+    ).replace("def main", f"    def start(self):\n        {lines}\n\ndef main")
+    assert findings("NME002", told, **{"robot/talker.py": code}) == []
+    assert len(findings("NME002", told, **{"robot/talker.py": code.replace("!=", "==").replace("not ", "")})) == 1
+
+
+@pytest.mark.parametrize(
     ("default", "launch", "told"),
     [
         ("''", "", False),  # whoever starts it by hand sees that it is missing

@@ -22,6 +22,9 @@ if outside.one():
     choice = 2
 elif outside.two():
     choice = 3
+side = 'a'
+if outside.side():
+    side = 'b'
 thing = Robot()
 if outside.three():
     thing = 'text'
@@ -45,6 +48,12 @@ if outside.three():
         ("not (choice == 1)", "choice", {2, 3}, {1}),
         ("(seen := choice) == 9 or maybe", "choice", {1, 2, 3}, {1, 2, 3}),
         ("outside.test(choice)", "choice", {1, 2, 3}, {1, 2, 3}),
+        ("side.startswith('a')", "side", {"a"}, {"b"}),
+        ("not side.endswith('a')", "side", {"b"}, {"a"}),
+        ("side[0] == 'a'", "side", {"a"}, {"b"}),
+        ("side[:1] != 'a'", "side", {"b"}, {"a"}),
+        ("side[-1] == 'a'", "side", {"a"}, {"b"}),
+        ("side[1] == 'a'", "side", {"a", "b"}, {"a", "b"}),
         ("isinstance(thing, str)", "thing", {"text"}, {...}),
         ("not isinstance(thing, (str, int))", "thing", {...}, {"text"}),
         ("isinstance(choice, int)", "choice", {1, 2, 3}, set()),

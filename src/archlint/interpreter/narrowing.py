@@ -37,8 +37,23 @@ def narrow(machine: Machine, test: facts.Expr, holds: bool) -> None:
             _keep(machine, test, lambda value: _raw_truth(machine, value) in (None, holds), flag=holds)
         case facts.Assigned():
             narrow(machine, test.target, holds)
+        case facts.Call(
+            func=facts.Attribute(
+                value=facts.Name() | facts.Attribute() as subject, attr="startswith" | "endswith" as end
+            ),
+            args=[facts.Argument(value=facts.Literal(value=str(part)), keyword=None)],
+        ):
+            _narrow_text(machine, subject, end, part, holds)
         case facts.Call():
             _narrow_class(machine, test, holds)
+        case facts.Compare(
+            left=facts.Subscript(value=facts.Name() | facts.Attribute() as subject, index=index),
+            ops=["==" | "!=" as op],
+            comparators=[facts.Literal(value=str(part))],
+        ):
+            asked = _end_asked(index)
+            if asked is not None and len(part) == 1:
+                _narrow_text(machine, subject, asked, part, holds is (op == "=="))
         case facts.Compare(left=facts.Name() | facts.Attribute() as left, ops=[op], comparators=[right]):
             _narrow_compared(machine, left, op, right, holds)
 
@@ -75,6 +90,26 @@ def _narrow_class(machine: Machine, test: facts.Call, holds: bool) -> None:
     classes = classes_of(machine, machine.evaluate(of))
     if classes is not None:
         _keep(machine, subject, lambda value: is_any(machine, value, classes) in (None, holds))
+
+
+def _narrow_text(machine: Machine, subject: facts.Name | facts.Attribute, method: str, part: str, holds: bool) -> None:
+    """Keep the texts that begin or end with a part, or do not: of ``not prefix.startswith('/')``."""
+
+    def says(text: str) -> bool:
+        return text.startswith(part) if method == "startswith" else text.endswith(part)
+
+    # A parameter's default is taken at its word.
+    _keep(machine, subject, lambda value: value.text is None or says(value.text) is holds)
+
+
+def _end_asked(index: facts.Expr) -> str | None:
+    """Which end of a text an index is of: ``prefix[0]`` and ``prefix[-1]``."""
+    match index:
+        case facts.Literal(value=0) | facts.Slice(lower=None, upper=facts.Literal(value=1), step=None):
+            return "startswith"
+        case facts.Literal(value=-1) | facts.Unary(op="-", operand=facts.Literal(value=1)):
+            return "endswith"
+    return None
 
 
 def _raw_truth(machine: Machine, value: Value) -> bool | None:
