@@ -224,6 +224,15 @@ def test_a_branch_may_choose_the_type_that_fits():
     assert found(topic_type_mismatch, system(node("/a", publisher("x", "p/msg/One")), choice)) == []
 
 
+def test_an_end_that_is_destroyed_where_a_parameter_makes_another():
+    first = publisher("x", "p/msg/One", destroyed=True)
+    later = publisher("x", "p/msg/Two", conditional=True)
+    agreeing, other = (node("/b", subscriber("x", f"p/msg/{name}")) for name in ("One", "Three"))
+
+    assert not found(topic_type_mismatch, system(node("/a", first, later), agreeing))
+    assert found(topic_type_mismatch, system(node("/a", first, later), other))
+
+
 def test_two_endpoints_that_may_not_be_there_prove_nothing():
     one = node("/a", publisher("x", "p/msg/One", conditional=True))
     other = node("/b", subscriber("x", "p/msg/Two", conditional=True))

@@ -39,6 +39,11 @@ def certain(endpoint: Endpoint) -> bool:
 
 def possible(endpoint: Endpoint) -> bool:
     """The same, or that it may exist so: some branch decides."""
+    return existing_at_times(endpoint) and not endpoint.creation.destroyed
+
+
+def existing_at_times(endpoint: Endpoint) -> bool:
+    """The same, or that it exists until the node destroys it, to make another one in its place."""
     creation = endpoint.creation
     return (
         endpoint.resolved
@@ -46,7 +51,6 @@ def possible(endpoint: Endpoint) -> bool:
         and endpoint.node.error is None  # the node does not come up at all
         and endpoint.node.name is not None
         and not endpoint.node.test
-        and not creation.destroyed
         and not is_placeholder(endpoint.name or "")
         and (creation.context is None or creation.context.role not in _NEVER_REACHED)
     )
@@ -99,10 +103,11 @@ def conflicting_pairs(
     One of them exists for sure.  The other may depend on a branch, unless its node has another endpoint of that
     name which would agree: then the branches choose the one that fits.
     """
-    ends = first_in_source(end for end in endpoints if possible(end))
+    at_times = first_in_source(end for end in endpoints if existing_at_times(end))
+    ends = [end for end in at_times if possible(end)]
     sure = {id(end) for end in ends if certain(end)}
     of_node: dict[tuple[int, str], list[Endpoint]] = {}
-    for end in ends:
+    for end in at_times:
         of_node.setdefault((id(end.node), end.kind), []).append(end)
     for endpoint, other in combinations(ends, 2):
         if agree(endpoint, other) or not sure & {id(endpoint), id(other)} or are_both_external(endpoint, other):
