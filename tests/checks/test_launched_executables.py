@@ -38,6 +38,30 @@ def test_what_a_build_with_cmake_leaves_open(findings, cmake, found):
     assert len(findings("LCH001", node(exec="driver"), **files)) == found
 
 
+def test_a_library_for_which_cmake_is_told_by_names_of_its_own_where_things_go(findings):
+    """No program comes of ``include(GNUInstallDirs)``; it is a package of ROS that has one of that name."""
+    cmake = """\
+        project(robot)
+        include(GNUInstallDirs)
+        add_library(robot SHARED src/arm.cpp)
+        install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+        install(TARGETS robot LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+        install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+        """
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "src/arm.cpp": "", "include/robot/arm.hpp": ""}
+    (told,) = findings("LCH001", node(exec="spawner"), **files)
+    assert told.message == "package 'robot' installs no executable 'spawner'; package 'controller_manager' of ROS does"
+    assert told.help == "start it from package 'controller_manager'"
+
+
+def test_a_destination_that_is_not_known(findings):
+    """It may be the folder in which launch looks, unless it begins otherwise."""
+    cmake = "project(robot)\ninstall(DIRECTORY nodes/ DESTINATION {})\n" + SCRIPTS
+    for folder, found in {"${GONE}": 0, "lib/${GONE}": 0, "share/${GONE}": 1, "include/robot-${GONE}": 1}.items():
+        files = {"CMakeLists.txt": cmake.format(folder), "package.xml": CMAKE, "setup.py": "", "nodes/driver": ""}
+        assert len(findings("LCH001", node(exec="driver"), **files)) == found, folder
+
+
 @pytest.mark.parametrize(
     ("files", "build"),
     [
@@ -65,7 +89,7 @@ def test_a_program_that_is_commented_out_in_the_build_is_information(findings, f
     ("package", "help"),
     [
         ("turtlesim", "give this package a name of its own, so that launch finds that of ROS"),
-        ("my_turtles", "add it to setup.py, or start one that the package installs: talker"),
+        ("my_turtles", "start it from package 'turtlesim'"),
     ],
 )
 def test_a_package_that_hides_the_one_of_ros_with_its_name(findings, package, help):

@@ -53,6 +53,11 @@ def test_a_project_is_no_executable_and_what_an_unknown_command_makes_may_be_one
         ("ament_python_install_package(robot SETUP_CFG ${X} SCRIPTS_DESTINATION lib/robot)", True),
         ("install(PROGRAMS ${CMAKE_CURRENT_BINARY_DIR}/made.py DESTINATION lib/robot)", True),
         ("install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/scripts/ DESTINATION lib/robot)", False),
+        ("install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})", False),
+        ("install(FILES a.cmake DESTINATION ${CMAKE_INSTALL_FULL_LIBDIR}/cmake/robot)", False),
+        ("install(DIRECTORY include/ DESTINATION include/${VERSION})", False),
+        ("install(DIRECTORY scripts/ DESTINATION ${SOMEWHERE})", True),
+        ("install(DIRECTORY scripts/ DESTINATION lib/${SOMEWHERE})", True),
     ],
 )
 def test_what_leaves_the_executables_open(text: str, open_: bool):

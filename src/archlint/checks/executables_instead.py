@@ -9,7 +9,7 @@ from archlint.checks.packages import is_ignored_by_cmake
 from archlint.packaging.commented_out import commented_out_in
 from archlint.packaging.entry_points import is_empty, starts_nothing
 from archlint.packaging.unbuilt_programs import unbuilt_source
-from archlint.ros.released_programs import programs_of
+from archlint.ros.released_programs import owner_of_program, programs_of
 from archlint.suggestions import did_you_mean, listed
 
 if TYPE_CHECKING:
@@ -91,6 +91,9 @@ def advice_on(installs: Installs, name: str, workspace: WorkspaceIndex) -> Advic
             "; the package of ROS with that name does, and this one hides it",
             "give this package a name of its own, so that launch finds that of ROS",
         )
+    owner = owner_of_program(name)
+    if owner is not None and owner not in workspace.packages and not did_you_mean(name, known):
+        return Advice(f"; package '{owner}' of ROS does", f"start it from package '{owner}'")
     others = f", or start one that the package installs: {listed(known)}" if known else ""
     return Advice(did_you_mean(name, known), f"add it to {build}{others}")
 

@@ -6,11 +6,11 @@ all kinds, else into ``bin``.
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterable, Iterator, Sequence
 
 from archlint.finding import Place
 from archlint.programs.cmake_targets import TargetNames
+from archlint.programs.install_folders import below_prefix
 from archlint.workspace.cmake import Argument, Command
 from archlint.workspace.cmake_run import Step
 from archlint.workspace.installed import Astray, Installs
@@ -80,8 +80,7 @@ def _folder_of_programs(command: Command) -> str:
         elif word == "DESTINATION":
             folders[kind] = following  # of several for one kind the last counts
     folder = folders.get("RUNTIME", folders.get("", _DEFAULT))
-    folder = folder.removeprefix("${CMAKE_INSTALL_PREFIX}/").replace("${CMAKE_INSTALL_BINDIR}", _DEFAULT)
-    return posixpath.normpath(folder.replace("${CMAKE_INSTALL_LIBDIR}", "lib"))
+    return below_prefix(folder)
 
 
 __all__ = ["programs_astray"]

@@ -12,6 +12,7 @@ from archlint.programs.asking_commands import only_asks
 from archlint.programs.cmake_commands import misspelt_commands, unbrought_at, unregistered_at
 from archlint.programs.cmake_names import may_make_anything, misnamed_project, misspelt_variables, read_names
 from archlint.programs.cmake_targets import TargetNames
+from archlint.programs.install_folders import below_prefix, may_be_of_programs
 from archlint.programs.installed_targets import programs_astray
 from archlint.programs.left_libraries import left_libraries
 from archlint.programs.refused_commands import called_commands, refused_commands
@@ -291,11 +292,12 @@ def _place(argument: Argument, path: str) -> Place:
 def _install(installs: Installs, step: Step, tree: CMakeTree) -> None:
     groups = _groups(step.command)
     where = groups.get("DESTINATION") or []
-    destination = _destination(where[0].text) if where else None
+    destination = below_prefix(where[0].text) if where else None
     if not {"TARGETS", "EXPORT"}.isdisjoint(groups):
         return
     if destination is None or "$" in destination:
-        installs.open_executables = installs.open_files = True
+        installs.open_executables |= may_be_of_programs(destination, installs.package)
+        installs.open_files = True
         return
     programs = destination in (f"lib/{installs.package}", "${CATKIN_PACKAGE_BIN_DESTINATION}")
     own = next((argument.text for argument in groups.get("RENAME", [])), None)
@@ -340,11 +342,3 @@ def _groups(command: Command) -> dict[str, list[Argument]]:
         else:
             groups.setdefault(current, []).append(argument)
     return groups
-
-
-def _destination(text: str) -> str:
-    text = re.sub(r"^\$\{(?:CMAKE_INSTALL_PREFIX)\}/?", "", text)
-    text = text.replace("${PYTHON_INSTALL_DIR}", "lib/python3/site-packages")
-    text = text.replace("${CMAKE_INSTALL_LIBDIR}", "lib").replace("${CMAKE_INSTALL_DATADIR}", "share")
-    text = text.replace("${CMAKE_INSTALL_DATAROOTDIR}", "share").replace("${CMAKE_INSTALL_BINDIR}", "bin")
-    return posixpath.normpath(text) if text else "."

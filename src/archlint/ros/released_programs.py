@@ -82,6 +82,12 @@ def programs_of(package: str) -> list[str]:
     return _PROGRAMS.get(package, "").split()
 
 
+def owner_of_program(name: str) -> str | None:
+    """The one well-known package of ROS that has a program of a name."""
+    owners = [package for package, programs in _PROGRAMS.items() if name in programs.split()]
+    return owners[0] if len(owners) == 1 else None
+
+
 def programs_instead(package: str, name: str, since_humble: bool = False) -> list[str]:
     """The programs of a package which does not have one of a name; empty where it has, or may have it.  With
     ``since_humble`` it is the package as Humble and later distributions have it."""
@@ -91,4 +97,4 @@ def programs_instead(package: str, name: str, since_humble: bool = False) -> lis
     return [] if may_be else programs
 
 
-__all__ = ["is_without_node", "programs_instead", "programs_of"]
+__all__ = ["is_without_node", "owner_of_program", "programs_instead", "programs_of"]
