@@ -48,7 +48,13 @@ def test_a_library_for_which_cmake_is_told_by_names_of_its_own_where_things_go(f
         install(TARGETS robot LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
         install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
         """
-    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "src/arm.cpp": "", "include/robot/arm.hpp": ""}
+    files = {
+        "CMakeLists.txt": cmake,
+        "package.xml": CMAKE,
+        "setup.py": "",
+        "src/arm.cpp": "",
+        "include/robot/arm.hpp": "",
+    }
     (told,) = findings("LCH001", node(exec="spawner"), **files)
     assert told.message == "package 'robot' installs no executable 'spawner'; package 'controller_manager' of ROS does"
     assert told.help == "start it from package 'controller_manager'"

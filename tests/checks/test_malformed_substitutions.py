@@ -9,6 +9,7 @@ from xml.sax.saxutils import quoteattr
 
 import pytest
 
+from archlint.finding import Severity
 from robot_package import TALKER, node
 
 
@@ -234,6 +235,58 @@ def test_a_substitution_that_xacro_does_not_know(findings, line, written, help):
 )
 def test_what_xacro_knows_or_may_never_come_to(findings, line):
     assert _described(findings, line) == []
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "<xacro:if value='$(arg sim)'><a b='$(share)'/></xacro:if>",
+        "<xacro:unless value='${sim}'><a b='$(share)'/></xacro:unless>",
+        "<xacro:if value='true'><a b='$(share)'/></xacro:if>",
+        "<xacro:macro name='m' params='x'><a b='$(share)'/></xacro:macro><xacro:m x='1'/>",
+        "<xacro:macro name='xacro:m'><xacro:if value='${x}'><a>$(share)</a></xacro:if></xacro:macro><xacro:n.m/>",
+    ],
+)
+def test_a_substitution_in_a_condition_or_in_a_macro_that_is_called(findings, line):
+    (told,) = _described(findings, line)
+    message = "xacro knows no '$(share)': where it comes to this, it stops, and the robot has no description"
+    assert (told.message, told.severity) == (message, Severity.WARNING)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "<xacro:unless value='1'><a b='$(share)'/></xacro:unless>",
+        "<xacro:macro name='m' params='x:=$(share)'/><xacro:m x='1'/>",
+        "<xacro:macro name='m'><xacro:if value='0'><a b='$(share)'/></xacro:if></xacro:macro><xacro:m/>",
+        "<xacro:property name='p'><a b='$(share)'/></xacro:property>",
+        "<xacro:macro name='m'><a b='$(share)'/></xacro:macro><xacro:other/>",
+    ],
+)
+def test_a_condition_that_never_holds_and_a_macro_that_nobody_calls(findings, line):
+    assert _described(findings, line) == []
+
+
+def test_a_description_that_another_includes_where_a_condition_holds(findings):
+    """The file with the wrong word is found by its path in the package, or beside the one that includes it."""
+    includes = "<xacro:if value='{value}'><xacro:include filename='{file}'/></xacro:if>"
+    control = {"urdf/control.xacro": ROBOT.format(line="<a b='$(robot)/a.yaml'/>")}
+    for value, found in {"$(arg control)": 1, "0": 0}.items():
+        for file in ("control.xacro", "$(find robot)/urdf/control.xacro"):
+            robot = {"urdf/robot.urdf.xacro": ROBOT.format(line=includes.format(value=value, file=file))}
+            told = findings("LCH007", DESCRIBED.format(more=""), **robot, **control)
+            assert [(row.place.file, row.severity) for row in told] == [
+                ("urdf/control.xacro", Severity.WARNING)
+            ] * found
+
+
+def test_what_a_condition_includes_may_not_be_there(findings):
+    """LCH004 says nothing of a file that the description needs only where a condition holds."""
+    for file in ("gone.xacro", "$(find robot)/urdf/gone.xacro"):
+        line = f"<xacro:if value='$(arg control)'><xacro:include filename='{file}'/></xacro:if>"
+        robot = {"urdf/robot.urdf.xacro": ROBOT.format(line=line)}
+        assert not any("gone" in told.message for told in findings("LCH004", DESCRIBED.format(more=""), **robot))
+        assert findings("LCH007", DESCRIBED.format(more=""), **robot) == []
 
 
 FILLED_IN = """\

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Related
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch_files.malformed_substitutions import Malformed, MalformedText, malformed_substitutions
 from archlint.launch_files.unknown_xacro_commands import KNOWN_TO_XACRO, unknown_to_xacro
 from archlint.launch_files.unperformed_substitutions import unperformed_substitutions
@@ -31,14 +32,16 @@ def malformed_substitution(system: System, options: Options) -> Iterator[Finding
             group=(file,),
         )
     for unknown in unknown_to_xacro(system):
-        yield finding(
+        stops = "where it comes to this, it stops" if unknown.perhaps else "it stops here"
+        told = finding(
             "LCH007",
             unknown.place,
-            f"xacro knows no '{unknown.written}': it stops here, and the robot has no description",
+            f"xacro knows no '{unknown.written}': {stops}, and the robot has no description",
             help=f"write '{unknown.meant}'" if unknown.meant else f"write one of those that it knows: {KNOWN_TO_XACRO}",
             identity=("xacro", unknown.written),
             group=(unknown.place.file, "xacro"),
         )
+        yield replace(told, severity=Severity.WARNING) if unknown.perhaps else told
     for text in unperformed_substitutions(system):
         yield finding(
             "LCH007",

@@ -30,6 +30,8 @@ def note_described(run: LaunchRun, description: FileReference) -> None:
             continue
         seen.add(source)
         for named in files_named(run.paths.text(reference) or ""):
+            if named.perhaps:
+                continue
             folder = posixpath.dirname(written) if named.package is None else f"$(find-pkg-share {named.package})"
             path = posixpath.join(folder, named.path.lstrip("/"))
             kind = FileKind.READ if named.included else FileKind.OTHER

@@ -2,29 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import posixpath
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.place import Place
 from archlint.records import dataclass
 from archlint.suggestions import nearest
-from archlint.syntax.xacro_commands import COMMANDS, unknown_commands
+from archlint.syntax.description_files import files_named
+from archlint.syntax.xacro_commands import COMMANDS, macros_called, unknown_commands
 
 if TYPE_CHECKING:
     from archlint.syntax.xacro_commands import UnknownCommand
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
 
 KNOWN_TO_XACRO = ", ".join(COMMANDS)
+_MOST = 200
+"""How many descriptions one launch may come to."""
 _OF_LAUNCH = {"find-pkg-share": "find", "var": "arg"}
 
 
 @dataclass(frozen=True)
 class UnknownToXacro:
-    """A substitution that xacro refuses, as it is ``written``, and the one that is ``meant``, if that can be told."""
+    """A substitution that xacro refuses, as it is ``written``, and the one that is ``meant``, if that can be told;
+    ``perhaps`` where it stands in a condition or a macro, or in a file that a condition includes."""
 
     place: Place
     written: str
     meant: str
+    perhaps: bool
 
 
 def unknown_to_xacro(system: System) -> Iterator[UnknownToXacro]:
@@ -33,14 +39,34 @@ def unknown_to_xacro(system: System) -> Iterator[UnknownToXacro]:
     if launched is None or workspace is None or launched.ros1:
         return
     named = {row.source for row in launched.references if row.source is not None and not row.dormant}
-    files = sorted(file for file in named if file.endswith(".xacro"))
+    certain = sorted(file for file in named if file.endswith(".xacro"))
+    files = [*certain, *_included_perhaps(workspace, certain)]
     code = [file for file in launched.sources if file.endswith(".py")] if files else []
     texts = [workspace.tree.text(file) or "" for file in code]
+    called = {name for file in files for name in macros_called(workspace.tree.text(file) or "")}
     for file in files:
-        for command in unknown_commands(workspace.tree.text(file) or ""):
+        for command in unknown_commands(workspace.tree.text(file) or "", called):
             if not any(command.written in text for text in texts):
                 meant = _meant(command, command.command in workspace.packages)
-                yield UnknownToXacro(Place(file, *command.span), command.written, meant)
+                perhaps = command.perhaps or file not in named
+                yield UnknownToXacro(Place(file, *command.span), command.written, meant, perhaps)
+
+
+def _included_perhaps(workspace: WorkspaceIndex, certain: Sequence[str]) -> list[str]:
+    """The descriptions of the workspace that others include where a condition holds, and what those include."""
+    found: dict[str, None] = {}
+    waiting = [*certain]
+    while waiting and len(found) < _MOST:
+        file = waiting.pop()
+        for named in files_named(workspace.tree.text(file) or ""):
+            package = workspace.packages.get(named.package or "")
+            folder = posixpath.dirname(file) if package is None else package.relative
+            path = posixpath.normpath(posixpath.join(folder, named.path.lstrip("/")))
+            is_known = named.included and (named.package is None or package is not None)
+            if is_known and path not in certain and path not in found and workspace.tree.is_file(path):
+                found[path] = None
+                waiting.append(path)
+    return sorted(found)
 
 
 def _meant(command: UnknownCommand, is_package: bool) -> str:
