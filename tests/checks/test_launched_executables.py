@@ -498,6 +498,84 @@ def test_a_program_in_a_folder_below_is_not_found_by_launch(findings):
     assert findings("LCH001", node(exec="drive.py"), **files) == []
 
 
+def test_a_script_that_cmake_installs_in_another_folder(findings):
+    """Under its own name or another, in ``bin`` or in ``share``: launch looks in one folder."""
+    cmake = "project(robot)\ninstall({} DESTINATION {})\n" + SCRIPTS
+    files = {"package.xml": CMAKE, "setup.py": "", "scripts/steer.py": TALKER + "\nmain()\n", "scripts/drive.py": ""}
+    for what, folder, where in (
+        ("PROGRAMS scripts/steer.py", "bin", "bin"),
+        ("PROGRAMS scripts/steer.py", "share/robot", "share/robot"),
+        ("DIRECTORY scripts/", "${CMAKE_INSTALL_BINDIR}", "bin"),
+    ):
+        build = {"CMakeLists.txt": cmake.format(what, folder)}
+        for executable in ("steer.py", "steer"):
+            (told,) = findings("LCH001", node(exec=executable), **files, **build)
+            assert told.message == (
+                f"package 'robot' installs no executable '{executable}': "
+                f"'steer.py' is installed in {where}, and launch looks in lib/robot"
+            )
+            assert (
+                told.help == "install it by install(PROGRAMS … DESTINATION lib/${PROJECT_NAME}), and start 'steer.py'"
+            )
+    assert findings("LCH001", node(exec="drive.py"), **files, **build) == []
+
+
+def test_a_script_among_the_data_of_a_setup_py(findings):
+    setup = SETUP.replace("data_files=[", "data_files=[('bin', ['scripts/steer.py']), ")
+    files = {"setup.py": setup, "scripts/steer.py": TALKER + "\nmain()\n"}
+    (told,) = findings("LCH001", node(exec="steer.py"), **files)
+    assert told.message.endswith(": 'steer.py' is installed in bin, and launch looks in lib/robot")
+    assert told.help == "put it into the data_files of 'lib/robot' in setup.py, and start 'steer.py'"
+    files["setup.py"] = setup.replace("'bin'", "'lib/robot'")
+    assert findings("LCH001", node(exec="steer.py"), **files) == []
+
+
+@pytest.mark.parametrize(
+    ("install", "hint", "help"),
+    [
+        (
+            "install(TARGETS driver DESTINATION bin)",
+            "its 'driver' is installed in bin, where launch does not look",
+            "install 'driver' with DESTINATION lib/${PROJECT_NAME}, and start that",
+        ),
+        (
+            "",
+            "it builds 'driver', and installs that nowhere",
+            "add install(TARGETS driver DESTINATION lib/${PROJECT_NAME}) to CMakeLists.txt, and start 'driver'",
+        ),
+        ("install(TARGETS driver DESTINATION lib/robot)", None, None),
+    ],
+)
+def test_the_one_program_of_a_package_is_out_of_sight(findings, install: str, hint: str | None, help: str | None):
+    """It is no program to start instead, unless launch finds it."""
+    cmake = f"project(robot)\nadd_executable(driver src/driver.cpp)\n{install}\nament_package()\n"
+    files = {"package.xml": CMAKE, "setup.py": "", "CMakeLists.txt": cmake, "src/driver.cpp": ""}
+    (told,) = findings("LCH001", node(exec="tower"), **files)
+    plain = "package 'robot' installs no executable 'tower'"
+    assert told.message == (f"{plain}; {hint}" if hint else plain)
+    assert told.help == (help or "add it to CMakeLists.txt, or start one that the package installs: driver")
+
+
+OLD_KEYWORD = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', node_executable='{}')])
+"""
+
+
+@pytest.mark.parametrize(
+    ("executable", "dockerfile", "lines"),
+    [("driver", "FROM ros:eloquent\n", [5]), ("talker", "FROM ros:eloquent\n", []), ("driver", "FROM ros:jazzy\n", [])],
+)
+def test_the_keyword_of_older_releases_names_an_executable_too(findings, executable, dockerfile, lines):
+    """Where launch takes it no more, LCH005 is the finding of that line."""
+    files = {"launch/old.launch.py": OLD_KEYWORD.format(executable), "Dockerfile": dockerfile}
+    assert [told.place.line for told in findings("LCH001", **files)] == lines
+    assert len(findings("LCH005", **files)) == ("jazzy" in dockerfile)
+
+
 def test_an_executable_that_several_actions_start_is_one_finding(findings):
     twice = f"{node(exec='camera', name='left')}\n{node(exec='camera', name='right')}\n{node(exec='lidar')}"
     camera, lidar = findings("LCH001", twice, **{"launch/more.launch.xml": f"<launch>{node(exec='camera')}</launch>"})

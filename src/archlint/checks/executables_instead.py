@@ -15,7 +15,7 @@ from archlint.suggestions import did_you_mean, listed
 if TYPE_CHECKING:
     from archlint.launch.started import Started
     from archlint.systems.model import WorkspaceIndex
-    from archlint.workspace.installed import Executable, Installs
+    from archlint.workspace.installed import Astray, Executable, Installs
 
 
 class Advice(NamedTuple):
@@ -43,7 +43,7 @@ def advice_on_launch_file(installs: Installs, started: Started, name: str, works
 def advice_on(installs: Installs, name: str, workspace: WorkspaceIndex) -> Advice:
     """What to start or to install instead of an executable that is not there: a hint and a line of help."""
     installed = installed_by(workspace, installs)
-    known = sorted(installed)
+    known = sorted(name for name in installed if name not in installs.astray)
     same = [executable for executable in known if stem_of(installed[executable]) == name.removesuffix(".py")]
     if not same:
         same = [
@@ -58,7 +58,13 @@ def advice_on(installs: Installs, name: str, workspace: WorkspaceIndex) -> Advic
             f": it is installed as {where}",
             "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)",
         )
-    owners = [install.package for install in workspace.installs.values() if name in installed_by(workspace, install)]
+    if elsewhere := _installed_elsewhere(installs, workspace, name):
+        return elsewhere
+    owners = [
+        other.package
+        for other in workspace.installs.values()
+        if name in installed_by(workspace, other) and name not in other.astray
+    ]
     if len(owners) == 1:
         return Advice(f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'")
     build = _build_file(installs, workspace)
@@ -71,6 +77,8 @@ def advice_on(installs: Installs, name: str, workspace: WorkspaceIndex) -> Advic
         return Advice(f": its lines in {file} are a comment", help, is_on_purpose=True)
     stems = {name, name.removesuffix("_node")} - {stem_of(executable) for executable in installed.values()}
     meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
+    if len(meant) == 1 and (elsewhere := _installed_elsewhere(installs, workspace, posixpath.basename(meant[0]))):
+        return elsewhere
     if len(meant) == 1 and is_empty(workspace, meant[0]):
         return Advice(
             f"; {meant[0]} is empty", f"remove the node, or write its program there and install it in {build}"
@@ -94,8 +102,50 @@ def advice_on(installs: Installs, name: str, workspace: WorkspaceIndex) -> Advic
     owner = owner_of_program(name)
     if owner is not None and owner not in workspace.packages and not did_you_mean(name, known):
         return Advice(f"; package '{owner}' of ROS does", f"start it from package '{owner}'")
+    if not known and len(installs.astray) == 1:
+        return _only_program(*next(iter(installs.astray.items())))
     others = f", or start one that the package installs: {listed(known)}" if known else ""
     return Advice(did_you_mean(name, known), f"add it to {build}{others}")
+
+
+def _installed_elsewhere(installs: Installs, workspace: WorkspaceIndex, name: str) -> Advice | None:
+    """What is said of a file of the package that is installed under a name, in another folder than that of programs."""
+    if posixpath.splitext(name)[1] not in _PROGRAMS:
+        return None
+    places = [
+        f"{row.destination}/{name}"
+        for row in installs.files
+        if not row.folder and name == (row.rename or posixpath.basename(row.source))
+    ]
+    places += [place for file in workspace.code.files_of(installs.package) for place in installs.places_of(file)]
+    folders = {posixpath.dirname(place) for place in places if posixpath.basename(place) == name}
+    if len(folders) != 1:
+        return None
+    by_setup = _build_file(installs, workspace) == "setup.py"
+    return Advice(
+        f": '{name}' is installed in {folders.pop()}, and launch looks in lib/{installs.package}",
+        f"put it into the data_files of 'lib/{installs.package}' in setup.py, and start '{name}'"
+        if by_setup
+        else f"install it by install(PROGRAMS … DESTINATION lib/${{PROJECT_NAME}}), and start '{name}'",
+    )
+
+
+_PROGRAMS = ("", ".py", ".sh")
+"""What the names of programs end in."""
+
+
+def _only_program(program: str, astray: Astray) -> Advice:
+    """What is said of the one program of a package that is out of sight."""
+    if not astray.folder:
+        install = f"install(TARGETS {program} DESTINATION lib/${{PROJECT_NAME}})"
+        return Advice(
+            f"; it builds '{program}', and installs that nowhere",
+            f"add {install} to CMakeLists.txt, and start '{program}'",
+        )
+    return Advice(
+        f"; its '{program}' is installed in {astray.folder}, where launch does not look",
+        f"install '{program}' with DESTINATION lib/${{PROJECT_NAME}}, and start that",
+    )
 
 
 def stem_of(executable: Executable) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.pinned import is_for_humble_or_newer
+from archlint.analysis.pinned import is_for_humble_or_newer, is_from_before_galactic
 from archlint.checks.executables_instead import advice_on, advice_on_launch_file, include_of, installed_by, stem_of
 from archlint.checks.folding import folds, with_places
 from archlint.checks.packages import is_ignored_by_cmake
@@ -16,6 +16,7 @@ from archlint.checks.ros_arguments import refused_ros_arguments, refused_words_f
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch.kinds import StartedKind
+from archlint.launch.old_keywords import has_old_executable
 from archlint.launch_files.shown_files import is_shown_only
 from archlint.launch_files.unadded_programs import unadded_programs
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
@@ -48,7 +49,7 @@ def _of_program(system: System, workspace: WorkspaceIndex, options: Options, sta
     """The finding for one program, if it cannot be started."""
     installs = workspace.installs.get(started.package.text or "")
     name = started.executable.text
-    if name is None or started.executable.resolution != "exact":
+    if name is None or started.executable.resolution != "exact" or _ends_before(workspace, started):
         return
     if started.kind is StartedKind.COMPONENT and installs is None:
         yield from _component_from_no_package(workspace, started, name)
@@ -87,6 +88,11 @@ def _of_program(system: System, workspace: WorkspaceIndex, options: Options, sta
     # A file that only shows how one is written may have made-up names.
     is_meant = advice.is_on_purpose or (not advice.hint and is_shown_only(system))
     yield replace(told, severity=Severity.INFO) if is_meant else told
+
+
+def _ends_before(workspace: WorkspaceIndex, started: Started) -> bool:
+    """Whether launch stops at the keyword that names the executable, as LCH005 says, and looks for no program."""
+    return has_old_executable(started.places) and not is_from_before_galactic(workspace)
 
 
 def _not_in_sight(installs: Installs, started: Started, name: str) -> Iterator[Finding]:

@@ -23,6 +23,23 @@ def test_timers_handlers_and_processes(launches):
     ]
 
 
+def test_the_keywords_of_nodes_before_galactic(launches):
+    launched = launches.python(
+        "[Node(package='robot', node_executable='talker', node_name='first', node_namespace='left'), "
+        "Node(package='robot', executable='talker', name='second', node_name='third'), "
+        "ComposableNodeContainer(node_name='box', node_namespace='', package='rclcpp_components', "
+        "node_executable='component_container', composable_node_descriptions=[ComposableNode(package='p', "
+        "node_plugin='p::C', node_name='c')])]"
+    )
+    assert [(s.kind, s.executable.text) for s in launched.started] == [
+        ("node", "talker"),
+        ("node", "talker"),
+        ("container", "component_container"),
+        ("component", "p::C"),
+    ]
+    assert names(launched) == ["/left/first", "second", "/box", "c"]
+
+
 def test_an_installed_program_that_python_is_told_to_run_is_a_node(launches):
     path = "get_package_prefix('robot') + '/lib/robot/talker'"
     launched = launches.python(

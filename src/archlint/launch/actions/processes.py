@@ -34,6 +34,7 @@ from archlint.launch.kinds import FileKind, StartedKind
 from archlint.launch.named_files import FileReference
 from archlint.launch.namespaces import absolute, prefix_namespace
 from archlint.launch.objects import LaunchObject, argument, class_name, kind_of, known_text
+from archlint.launch.old_keywords import under_present_names
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.parameters import Parameter, file_use, parameters_of
 from archlint.launch.shared_paths import is_written, note_paths, note_value
@@ -76,6 +77,7 @@ def _certain_text(value: Value | None, missing: str) -> Text:
 
 def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started:
     note_of_process(run, entity)
+    entity = under_present_names(entity)
     executable = entity.argument("plugin" if kind == StartedKind.COMPONENT else "executable")
     namespace = entity.argument("namespace")
     name = entity.argument("name")
