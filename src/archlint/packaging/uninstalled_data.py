@@ -1,13 +1,15 @@
-"""Files and folders that code looks for in the share folder of a package, and that the build of it leaves out."""
+"""Files and folders that code, or a description of a robot, looks for in the share folder of a package, and that the
+build of it leaves out."""
 
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
-from archlint.packaging.share_paths import SHARE, paths_in_code, paths_in_share
+from archlint.packaging.described_data import paths_in_descriptions
+from archlint.packaging.share_paths import SHARE, Named, paths_in_code, paths_in_share
 from archlint.packaging.uninstalled_files import files_told_already, mended_at, understood
 from archlint.place import Place
 from archlint.python_code.class_chains import files_with
@@ -34,10 +36,9 @@ class DataLeftOut:
 
 def data_left_out(workspace: WorkspaceIndex) -> Iterator[DataLeftOut]:
     """Each such file that is in the source, of a package whose build is understood, with each place that names it."""
-    for path in _asking(workspace):
-        code = workspace.code.cpp_facts_at(path)
-        paths = paths_in_share(workspace, path) if code is None else paths_in_code(code)
-        for package, file, span in paths or ():
+    described = dict(paths_in_descriptions(workspace))
+    for path, paths in (*_paths_in_code(workspace), *described.items()):
+        for package, file, span in paths:
             installs = understood(workspace).get(package)
             place = None if installs is None else mended_at(workspace, installs)
             if installs is None or place is None or installs.may_install(file):
@@ -45,10 +46,20 @@ def data_left_out(workspace: WorkspaceIndex) -> Iterator[DataLeftOut]:
             if posixpath.normpath(file) == "package.xml" and place.file.endswith("CMakeLists.txt"):
                 continue  # ament_package() installs it
             if _is_left_out(workspace, installs, file):
+                folder = posixpath.dirname(file)
+                if path in described and folder and _is_folder_left_out(workspace, installs, folder):
+                    yield DataLeftOut(package, folder, Place(path, *span), place, folder=True)
+                    continue
                 elsewhere = installs.places_of(posixpath.join(installs.folder, file))
                 yield DataLeftOut(package, file, Place(path, *span), place, instead=next(elsewhere, ""))
             elif _is_folder_left_out(workspace, installs, file):
                 yield DataLeftOut(package, file, Place(path, *span), place, folder=True)
+
+
+def _paths_in_code(workspace: WorkspaceIndex) -> Iterator[tuple[str, Sequence[Named]]]:
+    for path in _asking(workspace):
+        code = workspace.code.cpp_facts_at(path)
+        yield path, (paths_in_share(workspace, path) if code is None else paths_in_code(code)) or ()
 
 
 def _asking(workspace: WorkspaceIndex) -> Iterator[str]:
