@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.checks.packages import is_ignored_by_cmake
@@ -44,13 +45,26 @@ def advice_on(installs: Installs, name: str, workspace: WorkspaceIndex) -> Advic
     """What to start or to install instead of an executable that is not there: a hint and a line of help."""
     installed = installed_by(workspace, installs)
     known = sorted(name for name in installed if name not in installs.astray)
-    same = [executable for executable in known if stem_of(installed[executable]) == name.removesuffix(".py")]
+    advice = _on_what_is_installed(installs, name, workspace, known) or _on_file(installs, name, workspace, known)
+    advice = advice or _on_package_of_ros(installs, name, workspace, known)
+    if advice is not None:
+        return advice
+    if not known and len(installs.astray) == 1:
+        return _only_program(*next(iter(installs.astray.items())))
+    others = f", or start one that the package installs: {listed(known)}" if known else ""
+    return Advice(did_you_mean(name, known), f"add it to {_build_file(installs, workspace)}{others}")
+
+
+def _on_what_is_installed(
+    installs: Installs, name: str, workspace: WorkspaceIndex, known: Sequence[str]
+) -> Advice | None:
+    """What is said where the program is installed under another name, elsewhere, or by another package."""
+    stems = {program: stem_of(installs.executables[program]) for program in known}
+    same = [program for program in known if stems[program] == name.removesuffix(".py")]
     if not same:
-        same = [
-            file for file in known if file.endswith(".py") and stem_of(installed[file]) == name.removesuffix("_node")
-        ]
+        same = [file for file in known if file.endswith(".py") and stems[file] == name.removesuffix("_node")]
     if len(same) == 1:
-        source = installed[same[0]]
+        source = installs.executables[same[0]]
         return Advice(f"; {source.script or source.module} is installed as '{same[0]}'", f"start '{same[0]}'")
     if name in installs.too_deep:
         where = installs.too_deep[name]
@@ -67,6 +81,11 @@ def advice_on(installs: Installs, name: str, workspace: WorkspaceIndex) -> Advic
     ]
     if len(owners) == 1:
         return Advice(f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'")
+    return None
+
+
+def _on_file(installs: Installs, name: str, workspace: WorkspaceIndex, known: Sequence[str]) -> Advice | None:
+    """What is said where a file of the package is what the program would be made of."""
     build = _build_file(installs, workspace)
     files = workspace.code.files_of(installs.package)
     there = [file for file in files if posixpath.basename(file) == name]
@@ -75,37 +94,39 @@ def advice_on(installs: Installs, name: str, workspace: WorkspaceIndex) -> Advic
     if file := commented_out_in(workspace, installs.build_files, name):
         help = "remove the node, or take the marks of the comment away"
         return Advice(f": its lines in {file} are a comment", help, is_on_purpose=True)
-    stems = {name, name.removesuffix("_node")} - {stem_of(executable) for executable in installed.values()}
+    stems = {name, name.removesuffix("_node")} - set(map(stem_of, installed_by(workspace, installs).values()))
     meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
-    if len(meant) == 1 and (elsewhere := _installed_elsewhere(installs, workspace, posixpath.basename(meant[0]))):
-        return elsewhere
-    if len(meant) == 1 and is_empty(workspace, meant[0]):
-        return Advice(
-            f"; {meant[0]} is empty", f"remove the node, or write its program there and install it in {build}"
-        )
-    if len(meant) == 1 and starts_nothing(workspace, meant[0]):
-        return Advice(
-            f"; {meant[0]} is not installed and starts nothing", f"give it a main(), and install it in {build}"
-        )
-    if len(meant) == 1:  # nearer than another node of a similar name
-        help = f"install it in {build} under the name '{name}'"
-        return Advice(f"; {meant[0]} exists but is not installed", help, is_left_out=True)
+    if len(meant) == 1:
+        elsewhere = _installed_elsewhere(installs, workspace, posixpath.basename(meant[0]))
+        return elsewhere or _on_source(workspace, meant[0], name, build)  # nearer than another node of a similar name
     if unbuilt := unbuilt_source(workspace, installs, stems):
         return Advice(
             f"; {unbuilt} exists, and no target compiles it", f"add a target for it to {build}, and install it"
         )
+    return None
+
+
+def _on_source(workspace: WorkspaceIndex, file: str, name: str, build: str) -> Advice:
+    """What is said of the Python file of a program."""
+    if is_empty(workspace, file):
+        return Advice(f"; {file} is empty", f"remove the node, or write its program there and install it in {build}")
+    if starts_nothing(workspace, file):
+        return Advice(f"; {file} is not installed and starts nothing", f"give it a main(), and install it in {build}")
+    help = f"install it in {build} under the name '{name}'"
+    return Advice(f"; {file} exists but is not installed", help, is_left_out=True)
+
+
+def _on_package_of_ros(installs: Installs, name: str, workspace: WorkspaceIndex, known: Sequence[str]) -> Advice | None:
+    """What is said where a well-known package of ROS has the program."""
     if name in programs_of(installs.package):
         return Advice(
             "; the package of ROS with that name does, and this one hides it",
             "give this package a name of its own, so that launch finds that of ROS",
         )
     owner = owner_of_program(name)
-    if owner is not None and owner not in workspace.packages and not did_you_mean(name, known):
-        return Advice(f"; package '{owner}' of ROS does", f"start it from package '{owner}'")
-    if not known and len(installs.astray) == 1:
-        return _only_program(*next(iter(installs.astray.items())))
-    others = f", or start one that the package installs: {listed(known)}" if known else ""
-    return Advice(did_you_mean(name, known), f"add it to {build}{others}")
+    if owner is None or owner in workspace.packages or did_you_mean(name, known):
+        return None
+    return Advice(f"; package '{owner}' of ROS does", f"start it from package '{owner}'")
 
 
 def _installed_elsewhere(installs: Installs, workspace: WorkspaceIndex, name: str) -> Advice | None:

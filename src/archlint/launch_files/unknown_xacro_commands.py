@@ -54,19 +54,19 @@ def unknown_to_xacro(system: System) -> Iterator[UnknownToXacro]:
 
 def _included_perhaps(workspace: WorkspaceIndex, certain: Sequence[str]) -> list[str]:
     """The descriptions of the workspace that others include where a condition holds, and what those include."""
-    found: dict[str, None] = {}
+    reached: dict[str, None] = {}
     waiting = [*certain]
-    while waiting and len(found) < _MOST:
+    while waiting and len(reached) < _MOST:
         file = waiting.pop()
         for named in files_named(workspace.tree.text(file) or ""):
             package = workspace.packages.get(named.package or "")
             folder = posixpath.dirname(file) if package is None else package.relative
             path = posixpath.normpath(posixpath.join(folder, named.path.lstrip("/")))
             is_known = named.included and (named.package is None or package is not None)
-            if is_known and path not in certain and path not in found and workspace.tree.is_file(path):
-                found[path] = None
+            if is_known and path not in certain and path not in reached and workspace.tree.is_file(path):
+                reached[path] = None
                 waiting.append(path)
-    return sorted(found)
+    return sorted(reached)
 
 
 def _meant(command: UnknownCommand, is_package: bool) -> str:
