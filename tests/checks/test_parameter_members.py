@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from checks.judging import Judge
+from robot_package import node
 
 NODE = """
 from rclpy.node import Node
@@ -63,6 +64,30 @@ def test_a_value_that_is_read_as_it_is_declared(judge: Judge):
 )
 def test_a_member_that_may_be_right(judge: Judge, declare: str, read: str):
     judge("PRM010", NODE.format(declare=declare, read=f"self.it = {read}"))
+
+
+def test_a_value_for_which_the_code_raises(judge: Judge):
+    """With what is read now, the node starts."""
+    read = f"""self.it = {VALUE}.double_value  # here
+        if self.it and self.speed:
+            raise ValueError('one of the two')"""
+    (told,) = judge("PRM010", NODE.format(declare="self.declare_parameter('it', 60)", read=read))
+    assert told.help == "declare it with 0.0, which the code has so far: line 10 may raise an exception for 60"
+
+
+@pytest.mark.parametrize(
+    ("given", "help"),
+    [
+        ("40.5", "declare it with 60.0: what is set from outside is a double, too"),
+        ("40", "read integer_value, or get_parameter('it').value, which has the right type"),
+    ],
+)
+def test_a_parameter_that_a_launch_file_sets(findings, given: str, help: str):
+    code = NODE.format(declare="self.declare_parameter('it', 60)", read=f"self.it = {VALUE}.double_value")
+    main = "\n\ndef main():\n    import rclpy\n    rclpy.init()\n    rclpy.spin(Robot())\n"
+    launch = node(f'<param name="it" value="{given}"/>')
+    (told,) = findings("PRM010", launch, **{"robot/talker.py": code + main})
+    assert told.help == help
 
 
 def test_parameters_of_a_file_that_are_read_in_the_same_way_are_one_finding(judge: Judge):

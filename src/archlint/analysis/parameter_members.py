@@ -50,6 +50,8 @@ class WrongMember:
     member: str
     type: ParameterType
     declared_at: Place
+    default: object = None
+    """The value that the code declares it with; None where that is not known."""
     right: str = ""
     """In C++, where the wrong method throws: the one for the type."""
 
@@ -71,12 +73,14 @@ def wrong_members(system: System) -> Iterator[WrongMember]:
                 if is_cpp(place.file):
                     for wrong in wrong_accessors(system, place, kind):
                         declared_at = rows[0].place
-                        yield WrongMember(wrong.place, node, str(name), wrong.called, kind, declared_at, wrong.right)
+                        yield WrongMember(
+                            wrong.place, node, str(name), wrong.called, kind, declared_at, right=wrong.right
+                        )
                     continue
                 for read in _member_reads(system, place):
                     if read.attr in EMPTY and read.attr != f"{kind}_value" and not _is_as_empty(rows, read.attr):
                         whole = Place(place.file, *read.span)
-                        yield WrongMember(whole, node, str(name), read.attr, kind, rows[0].place)
+                        yield WrongMember(whole, node, str(name), read.attr, kind, rows[0].place, rows[0].default)
 
 
 def _is_as_empty(rows: Sequence[ParameterDeclaration], member: str) -> bool:
