@@ -59,6 +59,18 @@ def test_a_name_of_a_launch_argument_may_be_another_one(findings):
 
 
 @pytest.mark.parametrize(
+    ("namespace", "key", "meant"),
+    [("", "camera/camera", ""), ("", "camera", "/camera/camera"), ("left", "camera/camera", "/left/camera")],
+)
+def test_a_node_whose_own_code_gives_it_a_namespace(findings, namespace: str, key: str, meant: str):
+    """That of ``realsense2_camera`` is ``Node("camera", "/camera")``."""
+    given = {"namespace": namespace} if namespace else {}
+    camera = node(LOAD_IT, pkg="realsense2_camera", exec="realsense2_camera_node", name="camera", **given)
+    found = findings("PRM005", camera, **{"config/p.yaml": f"/{key}: {RATE}"})
+    assert [one.meant for one in found] == [meant] * bool(meant)
+
+
+@pytest.mark.parametrize(
     ("given", "told"),
     [("$(var params)", 0), ("$(env PARAMS)", 0), ("$(find-pkg-share robot)/config/r.yaml", 1)],
 )
