@@ -57,6 +57,16 @@ OPENS = "WORDS = open(os.path.join(os.path.dirname(__file__), 'words.json'))"
         ("WORDS = open(os.path.join(os.path.dirname(__file__), 'gone.json'))", {}),
         ("PATH = Path(__file__).parent / 'words.json'\nWORDS = PATH.read_text() if PATH.exists() else ''", {}),
         ("open(os.path.join(os.path.dirname(__file__), 'words.json'), 'w').write('x')", {}),
+        (
+            "import sqlite3\n"
+            "WORDS = sqlite3.connect(Path(__file__).with_name('words.json'))\n"
+            "WORDS.execute('CREATE TABLE IF NOT EXISTS words (word TEXT)')",
+            {},
+        ),
+        (
+            OPENS + "\nfrom robot import maker",
+            {"robot/maker.py": "from pathlib import Path\nPath(__file__).with_name('words.json').write_text('{}')\n"},
+        ),
         ("HERE = os.path.dirname(__file__)", {}),
         ("HELPER = os.path.join(os.path.dirname(__file__), 'helper.py')", {"robot/helper.py": ""}),
         ("WORDS = open(os.path.join(os.path.dirname(__file__), NAME))", {}),
@@ -71,6 +81,13 @@ OPENS = "WORDS = open(os.path.join(os.path.dirname(__file__), 'words.json'))"
 def test_a_file_that_is_there_or_may_be(findings, lines: str, files: dict[str, str]):
     told = findings("PKG004", **of_talker(lines, **files))
     assert [row for row in told if row.place.file == "robot/talker.py"] == []
+
+
+def test_a_database_or_a_file_that_nothing_here_makes(findings):
+    reads = "import sqlite3\nWORDS = sqlite3.connect(Path(__file__).with_name('words.json'))\n"
+    maker = "from pathlib import Path\nPath(__file__).with_name('other.json').write_text('{}')\n"
+    (told,) = findings("PKG004", **of_talker(reads + "from robot import maker", **{"robot/maker.py": maker}))
+    assert told.place.file == "robot/talker.py"
 
 
 def test_a_module_that_no_program_runs(findings):

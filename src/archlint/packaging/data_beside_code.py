@@ -13,11 +13,13 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.analysis.pinned import names_no_distro, ubuntu_releases
-from archlint.packaging.own_folder_paths import FILE, of_file, paths_beside
+from archlint.packaging.own_folder_paths import FILE, may_write, of_file, paths_beside
 from archlint.packaging.uninstalled_files import understood
 from archlint.place import Place
 from archlint.records import dataclass
 from archlint.ros.distros import PYTHON
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -53,9 +55,25 @@ def data_beside_code(workspace: WorkspaceIndex) -> Iterator[DataBeside]:
                 inside = wanted.startswith(f"{installs.folder}/") or installs.folder == "."
                 if inside and (is_folder or workspace.tree.is_file(wanted)) and not _is_code(workspace, wanted):
                     below, module = (_below(installs, each) for each in (wanted, file))
-                    if _is_brought_beside(workspace, installs, wanted, below):
+                    if _is_brought_beside(workspace, installs, wanted, below) or _is_made(workspace, installs, wanted):
                         continue
                     yield DataBeside(name, module, below, Place(file, *span), is_folder)
+
+
+def _is_made(workspace: WorkspaceIndex, installs: Installs, wanted: str) -> bool:
+    """Whether a module of the package makes files, and names this one: a database, say, that another one reads."""
+    name = posixpath.basename(wanted)
+    for module in sorted(workspace.code.modules_of(installs.package).values()):
+        code = workspace.facts_at(module)
+        if code is not None and may_write(code) and _names(code, name):
+            return True
+    return False
+
+
+def _names(code: facts.Facts, name: str) -> bool:
+    """Whether a file has the text ``words.db``, or a path that ends in it."""
+    texts = (literal.text for literal in everything_in(code.body, facts.Literal))
+    return any(text is not None and posixpath.basename(text) == name for text in texts)
 
 
 def _is_brought_beside(workspace: WorkspaceIndex, installs: Installs, wanted: str, below: str) -> bool:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from typing import NamedTuple
 
 from archlint.packaging.share_paths import ASKS, only_given
@@ -32,14 +33,29 @@ class OwnPath(NamedTuple):
 def paths_beside(code: facts.Facts) -> list[OwnPath]:
     """The paths that a file writes in full, but for folders that it lies in; none where it asks whether some file is
     there, or writes one."""
-    calls = everything_in(code.body, facts.Call)
-    if FILE not in code.names or any(called_name(call) in ASKS or _may_write(call) for call in calls):
+    asks = any(called_name(call) in ASKS for call in everything_in(code.body, facts.Call))
+    if FILE not in code.names or asks or may_write(code):
         return []
     reader = _Reader(code)
     parts = [p for p in everything_in(code.body) if isinstance(p, (facts.Call, facts.Binary, facts.FormatString))]
     within = {id(inner) for part in parts for inner in everything_in(part.children()) if reader.path(part)}
     rows = ((part, reader.path(part)) for part in parts if id(part) not in within)
     return [OwnPath(path, part.span) for part, path in rows if path and not _is_around(path)]
+
+
+@once_for
+def may_write(code: facts.Facts) -> bool:
+    """Whether a file has code that may make another file, a folder for some, or a database."""
+    calls = list(everything_in(code.body, facts.Call))
+    if any(map(_may_write, calls)):
+        return True
+    return any(called_name(call) == "connect" for call in calls) and any(
+        literal.text is not None and _CREATES.search(literal.text)
+        for literal in everything_in(code.body, facts.Literal)
+    )
+
+
+_CREATES = re.compile(r"\bcreate\s+table\b", re.IGNORECASE)
 
 
 def _is_around(path: str) -> bool:
@@ -129,4 +145,4 @@ def of_file(path: str, file: str) -> str:
     return posixpath.normpath(posixpath.join(posixpath.dirname(file), path))
 
 
-__all__ = ["FILE", "OwnPath", "of_file", "paths_beside"]
+__all__ = ["FILE", "OwnPath", "may_write", "of_file", "paths_beside"]
