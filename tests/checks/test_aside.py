@@ -126,6 +126,7 @@ def test_a_word_that_only_holds_the_letters_of_one(named, path: str):
         "robot/_old/talker.py",
         "robot/2024_back_up/talker.py",
         "robot/talker_bkp.py",
+        "robot/talker_bkup.py",
         "robot/arms_bkp/talker.py",
         "robot/arm (no usado)/talker.py",
         "robot/no_usado/talker.py",

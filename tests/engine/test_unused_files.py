@@ -277,3 +277,40 @@ def test_a_package_that_is_put_aside_as_a_whole(
     document, _ = checked(capsys, "--select", "PKG001,PKG002,PKG008")
     own = (row for row in document["diagnostics"] if row["file"].startswith(f"{folder}/"))
     assert sorted({row["code"] for row in own}) == codes
+
+
+WAITS = """
+import rclpy
+from std_srvs.srv import Trigger
+
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node('asker')
+    client = node.create_client(Trigger, 'start')
+    client.wait_for_service()
+    node.get_logger().info(missing)
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("path", "wanted", "shown", "hidden"),
+    [
+        ("tools/ask.py", (), ["API005"], 2),
+        ("tools/ask.py", ("--all-files",), ["TMO001", "API005"], 0),
+        ("tools/ask.py", ("tools/ask.py",), ["TMO001", "API005"], 0),
+        ("robot/robot/driver.py", (), ["TMO001", "API005"], 1),
+    ],
+    ids=["no program has it", "all files", "by its name", "a program"],
+)
+def test_who_starts_a_script_by_hand_sees_that_it_waits(
+    capsys: pytest.CaptureFixture[str], path: str, wanted: tuple[str, ...], shown: list[str], hidden: int
+) -> None:
+    write(path, WAITS)
+    document, _ = checked(capsys, "--select", "TMO001,API005", *wanted)
+    assert [row["code"] for row in document["diagnostics"] if row["file"] == path] == shown
+    assert document["summary"]["unused"] == hidden  # with the one of robot/tools/probe.py

@@ -167,7 +167,7 @@ def _judged(
     about = _wanted([*stale, *suppressions.without_reason(by_file)], request.settings, workspace)
     kept = [*without_second_lines(index, outcome.kept), *suppressions.apply(about, by_file).kept]
     sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
-    new, vendored, hidden, unreached = _shown_and_not(index, sifted.new, unused, request)
+    new, vendored, hidden, unreached = _shown_and_not(index, sifted.new, unused, aside, request)
     explained = uninstalled.once_for_a_file(with_reason(folded(new, in_a_part=is_a_part), old), aside)
     findings = _without_copies(inputs, facts, index, explained)
     shown = as_asked_for(request, systems[0], workspace)
@@ -181,7 +181,7 @@ def _judged(
         baselined=len(folded(sifted.baselined)),
         older=len(folded(sifted.older)),
         unused=len(folded(hidden)),
-        unused_files=count_of_files(hidden, unused),
+        unused_files=count_of_files(hidden, unused | aside),
         vendored=len(folded(vendored)),
         unreached=len(folded(unreached)),
     )
@@ -194,13 +194,18 @@ def _judged(
 
 
 def _shown_and_not(
-    index: WorkspaceIndex, findings: Sequence[Finding], unused: frozenset[str], request: Request
+    index: WorkspaceIndex,
+    findings: Sequence[Finding],
+    unused: frozenset[str],
+    aside: frozenset[str],
+    request: Request,
 ) -> tuple[list[Finding], list[Finding], list[Finding], list[Finding]]:
     """The findings that are shown, and those in packages of others, in unused files and in code that is not reached."""
     own, vendored = without_vendored(index, findings, request)
-    of_files, hidden = apart(index, own, unused)
-    shown, unreached = without_unreached(index, of_files, request)
-    return shown, vendored, hidden, unreached
+    in_use, hidden = apart(index, own, unused)
+    met, unreached = without_unreached(index, in_use, request)
+    shown, waits = uninstalled.without_waits(met, aside, request)
+    return shown, vendored, [*hidden, *waits], unreached
 
 
 def _without_repeats(judged: Judged, inputs: Inputs) -> Judged:

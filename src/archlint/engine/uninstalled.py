@@ -13,6 +13,7 @@ from archlint.analysis.aside import is_not_installed
 from archlint.analysis.kept import kept
 from archlint.checks.folding import all_sites, with_others
 from archlint.checks.registry import registered
+from archlint.engine.unused_files import is_named
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.absent_packages import is_from_nowhere
 from archlint.packaging.missing_imports import missing_imports
@@ -23,6 +24,7 @@ from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
+    from archlint.engine.request import Request
     from archlint.systems.model import WorkspaceIndex
 
 _DEPTH = 4
@@ -70,6 +72,22 @@ def without_dead_ends(findings: Sequence[Finding], files: AbstractSet[str], work
     ]
 
 
+def without_waits(
+    findings: Iterable[Finding], files: AbstractSet[str], request: Request
+) -> tuple[list[Finding], list[Finding]]:
+    """The findings but for those about waits and sleeps in some files, and these: who starts such a file by its path
+    sees that it waits, and ends it.  All where the settings want all files shown, or the run was asked about a file by
+    its name."""
+    shown: list[Finding] = []
+    hidden: list[Finding] = []
+    for each in findings:
+        file = each.place.file
+        waits = file in files and each.code.startswith(_OF_WAITS)
+        (hidden if waits and not request.settings.unused_files and not is_named(request, file) else shown).append(each)
+    return shown, hidden
+
+
+_OF_WAITS = ("TMO", "EXE003", "SRV008")
 _OF_IMPORTS = "API006"
 
 

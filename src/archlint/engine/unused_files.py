@@ -24,14 +24,18 @@ def unused_files(index: WorkspaceIndex, findings: Iterable[Finding], request: Re
     the settings want all files shown."""
     if request.settings.unused_files:
         return frozenset()
-    named = {os.path.abspath(path) for path in request.paths}
     every = list(findings)
     told = [finding for finding in every if _is_of_what_runs(finding)]
     files = {file for finding in told for file in (finding.place.file, *_others_of(finding))}
     unread = {finding.place.file for finding in told if finding.code == "LNT002"}
     unused = (file for file in files if nothing_runs(index, file) or (file in unread and _is_left(index, file)))
     whole = {finding.place.file for finding in every if is_in_disused_package(index, finding.place.file)}
-    return frozenset(file for file in (*unused, *whole) if os.path.abspath(file) not in named)
+    return frozenset(file for file in (*unused, *whole) if not is_named(request, file))
+
+
+def is_named(request: Request, file: str) -> bool:
+    """Whether a run was asked about a file by its name."""
+    return any(os.path.abspath(path) == os.path.abspath(file) for path in request.paths)
 
 
 def _is_left(index: WorkspaceIndex, file: str) -> bool:
@@ -94,4 +98,4 @@ def _is_of_what_runs(finding: Finding) -> bool:
     return of_code and not finding.code.startswith(_OF_DECLARATIONS)
 
 
-__all__ = ["apart", "count_of_files", "unused_files"]
+__all__ = ["apart", "count_of_files", "is_named", "unused_files"]

@@ -24,13 +24,13 @@ _IN_OTHER_LANGUAGES = (
 """In small letters, without accents."""
 _NOT_TO_USE = rf"not[ _-]?used|(?:do[ _-]?not|don'?t)[ _-]?use|{_IN_OTHER_LANGUAGES}"
 _NAMED_OLD = re.compile(
-    r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|back_?up|bak|bkp|unused)|_old"
+    r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|back_?up|bak|bkp|bkup|unused)|_old"
     rf"|(?:.+[ _-])?not[ _-]?used|{_NOT_TO_USE}"
 )
 _MARKED = re.compile(rf"[(\[](?:archived?|backup|deprecated|obsolete|old|unused|{_NOT_TO_USE})[)\]]")
 _COPY = re.compile(
     r"\(copy|[ _.-]copy\d*\W|^copy[ _-](?:\d+[ _-])?of[ _-]|sync-conflict-|\(\d+\)"
-    r"|[ _.-](?:bak|backup|bk|bkp|old|orig|unused)\.|[ _.-](?:archived?|deprecated|obsolete)\.py$"
+    r"|[ _.-](?:bak|backup|bk|bkp|bkup|old|orig|unused)\.|[ _.-](?:archived?|deprecated|obsolete)\.py$"
 )
 _RETIRED = re.compile(r"(?:old|archived|deprecated|unused)_(?=.*\.py$)(?!.*\.launch\.py$)", re.IGNORECASE)
 
