@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
-from robot_package import SETUP
+from robot_package import SETUP, manifest, write_files
 
 ROBOT = """\
 <robot name="robot">
@@ -205,3 +207,22 @@ def test_a_file_whose_controllers_another_has_that_is_used(findings, named: tupl
     files = {"config/old.yaml": old, "config/new.yaml": new, "urdf/robot.urdf.xacro": robot}
     files |= {"README.md": "What is old is left.\n"}
     assert [row.place.file for row in findings("PRM012", **files)] == told
+
+
+@pytest.mark.parametrize(
+    ("own", "times"),
+    [
+        ("<joint name='wheel'><command_interface name='position'/></joint>", 0),  # other hardware
+        ("<joint name='${side}_joint'><command_interface name='velocity'/></joint>", 1),
+        ("", 1),
+    ],
+)
+def test_the_description_of_another_package(tmp_path, own: str, times: int):
+    """The package of the file has a robot of its own, and the joints are of another one's."""
+    text = CONTROLLERS + "    joints: [elbow_joint]\n    command_interfaces: [effort]\n"
+    robot = f"<robot><ros2_control>{own}</ros2_control></robot>"
+    files = {"robot/package.xml": manifest(), "robot/config/p.yaml": text, "robot/urdf/robot.xacro": robot}
+    files |= {"arm/package.xml": manifest("arm"), "arm/urdf/arm.xacro": ROBOT}
+    write_files(tmp_path, {**files, "archlint.toml": 'select = ["PRM012"]\n'})
+    request = Request((str(tmp_path),), load(tmp_path), cached=False, jobs=1)
+    assert len(check(request).findings) == times

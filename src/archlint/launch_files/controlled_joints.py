@@ -88,7 +88,8 @@ def wrong_for_controllers(workspace: WorkspaceIndex) -> Iterator[Mistake]:
                 joints = _joints_of(section)
                 yield from _unknown_joints(workspace, file, controller, section)
                 yield from _for_no_joint(file, controller, section, joints)
-                yield from _unknown_interfaces(workspace, file, controller, section, joints)
+                if not _is_of_other_robot(workspace, file, joints):
+                    yield from _unknown_interfaces(workspace, file, controller, section, joints)
 
 
 def _is_superseded(workspace: WorkspaceIndex, file: str, types: Collection[str]) -> bool:
@@ -137,11 +138,15 @@ def _meant(name: str, known: Sequence[str]) -> str | None:
 
 
 @once
-def _descriptions(workspace: WorkspaceIndex) -> list[RobotDescription]:
+def _descriptions_by_file(workspace: WorkspaceIndex) -> dict[str, RobotDescription]:
     tree = workspace.tree
     files = [file for folder in sorted(workspace.manifests) for file in tree.files_below(folder)]
     wanted = [file for file in dict.fromkeys(files) if file.endswith(_ENDINGS) and not is_aside(workspace, file)]
-    return [read_description(tree.text(file) or "") for file in wanted]
+    return {file: read_description(tree.text(file) or "") for file in wanted}
+
+
+def _descriptions(workspace: WorkspaceIndex) -> Collection[RobotDescription]:
+    return _descriptions_by_file(workspace).values()
 
 
 @once
@@ -200,6 +205,19 @@ def _unknown_interfaces(
                 place = Place(file, *entry.span)
                 is_needed = needs_both and not commands
                 yield UnknownInterface(place, controller, lacking, name, there, tuple(wanted), commands, is_needed)
+
+
+def _is_of_other_robot(workspace: WorkspaceIndex, file: str, joints: Sequence[str]) -> bool:
+    """Whether the package of a file has hardware of its own, and none of it for any of these joints: nobody knows which
+    robot the file goes with."""
+    package = workspace.package_of(file)
+    of_package = [
+        row
+        for path, description in _descriptions_by_file(workspace).items()
+        if package is not None and workspace.package_of(path) == package
+        for row in description.components
+    ]
+    return bool(of_package) and not any(row.name.may_be(joint) for row in of_package for joint in joints)
 
 
 def _wanted(entry: ParameterEntry) -> list[str]:
