@@ -71,6 +71,23 @@ def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     return judge
 
 
+@pytest.mark.parametrize(
+    ("value", "help"),
+    [
+        ("0.2", "it declares wheel_base"),
+        (
+            "true",
+            "write 'wheel_base' with a value of its type, double: with this one, of the type bool, the node stops",
+        ),
+    ],
+)
+def test_a_value_that_the_parameter_which_was_meant_does_not_take(tmp_path, monkeypatch, value: str, help: str):
+    monkeypatch.chdir(tmp_path)
+    write_robot(tmp_path, f'<node pkg="acme" exec="base"><param name="wheel_bas" value="{value}"/></node>')
+    found = check(Request((".",), Settings(external_nodes=(BASE,)), cached=False, jobs=1)).findings
+    assert [row.help for row in found if row.code == "PRM004"] == [help]
+
+
 def test_a_type_that_the_other_node_does_not_take(told):
     [(code, file, message)] = told(("TOP001",), "self.create_publisher(TwistStamped, 'cmd_vel', 10)")
     assert (code, file) == ("TOP001", "robot/talker.py")

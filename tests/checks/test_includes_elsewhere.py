@@ -50,14 +50,14 @@ def _told(findings, code: str, *actions: str, **files: str):
         (
             "include('slam_toolbox', 'online_async_launch.py', maps='a.yaml')",
             "online_async_launch.py of slam_toolbox takes no launch argument 'maps' since Humble",
-            "the value has no effect: remove it; ros2 launch slam_toolbox online_async_launch.py --show-args lists "
-            "those that it takes",
+            "the value has no effect: correct the name or remove it; ros2 launch slam_toolbox online_async_launch.py "
+            "--show-args lists those that it takes",
         ),
         (
             "include('gazebo_ros', 'gzserver.launch.py', world='a.world', headless='true', x_pose='1.0')",
             "gzserver.launch.py of gazebo_ros takes none of these launch arguments since Humble: 'headless', 'x_pose'",
-            "the value has no effect: remove it; ros2 launch gazebo_ros gzserver.launch.py --show-args lists those "
-            "that it takes",
+            "the value has no effect: correct the name or remove it; ros2 launch gazebo_ros gzserver.launch.py "
+            "--show-args lists those that it takes",
         ),
     ],
 )

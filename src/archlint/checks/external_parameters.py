@@ -14,12 +14,14 @@ from archlint.checks.registry import finding
 from archlint.finding import Finding
 from archlint.launch_files.misplaced_parameters import misplaced_values
 from archlint.model import ExecutorKind
+from archlint.ros.parameter_types import type_of
 from archlint.suggestions import hint, listed_for, nearest
 
 if TYPE_CHECKING:
     from archlint.place import Place
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Node
+    from archlint.systems.overrides import Setting
 
 
 _MAKES_A_NODE = frozenset({"moveit.planning.MoveItPy", "rclcpp.Node"})
@@ -57,7 +59,7 @@ def unknown_to_externals(system: System) -> Iterator[Finding]:
             if several or any(name.startswith(f"{row}.") for row in declared):
                 continue  # what is for several nodes, each takes its part of
             given = {other.name for other in node.settings}
-            yield _finding(node, name, setting.place, _always_declared_by(node) - given)
+            yield _finding(node, setting, _always_declared_by(node) - given)
 
 
 def _misplaced_for_controllers(workspace: WorkspaceIndex) -> Iterator[Finding]:
@@ -86,20 +88,30 @@ def _places(node: Node) -> set[Place]:
     return {setting.place for setting in node.settings} | {parameter.place for parameter in given}
 
 
-def _finding(node: Node, name: str, place: Place, free: set[str]) -> Finding:
+def _finding(node: Node, setting: Setting, free: set[str]) -> Finding:
+    name = setting.name
     read = sorted(dict.fromkeys(node.known.versions.values())) if node.known is not None else []
     of = f" (as read in {', '.join(read)})" if read else ""
     near = nearest(name, free)
     return finding(
         "PRM004",
-        place,
+        setting.place,
         f"{node.shown} declares no parameter '{name}'{of}, so this value has no effect{hint(near)}",
-        help=f"it declares {listed_for(name, free)}" if free else "remove it",
+        help=_other_type(node, near, setting) or (f"it declares {listed_for(name, free)}" if free else "remove it"),
         node=node.name,
         identity=(node.name or "", name),
         group=(MISSPELT if near else f"{node.shown} declares none of", node.package or "", node.executable or ""),
         meant=near or "",
     )
+
+
+def _other_type(node: Node, near: str | None, setting: Setting) -> str:
+    """What to write where the value is of another type than the parameter that was meant; empty where it fits."""
+    kinds = {row.type for row in node.declared if row.name.text == near}
+    given = type_of(setting.value)
+    if near is None or len(kinds) != 1 or None in kinds or given is None or given in kinds:
+        return ""
+    return f"write '{near}' with a value of its type, {kinds.pop()}: with this one, of the type {given}, the node stops"
 
 
 __all__ = ["has_unseen_nodes", "unknown_to_externals"]

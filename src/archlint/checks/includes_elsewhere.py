@@ -45,7 +45,7 @@ def _unknown(row: UnknownToInclude, switches: Collection[str]) -> Finding:
         f"{row.file} of {row.package} {said}",
         help=f"write '{near}': the value has no effect"
         if near and not others
-        else f"the value has no effect: remove it; {see}",
+        else f"the value has no effect: correct the name or remove it; {see}",
         related=[Related(at, _set_here(name, _meant(name, row.taken, switches))) for name, at in others],
         identity=(row.package, row.file, *names),
         group=(place.file, row.package, row.file, *names),
