@@ -200,6 +200,8 @@ class Messages:
     """Which subscription, server or client calls its callback with a message."""
     answered: dict[int, model.Creation] = field(default_factory=dict)
     """Which client a response was sent to."""
+    asked_in: dict[Place, Activation] = field(default_factory=dict)
+    """Which call of a function has last asked a client of its own object, at that place."""
     passed_to: dict[int, Place] = field(default_factory=dict)
     """The functions, by the id of their facts, that fields of their parameters are used in."""
     uses: set[tuple[Any, ...]] = field(default_factory=set)

@@ -27,6 +27,7 @@ from archlint.libraries.rclpy import (
     transforms,
 )
 from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue, MessageValue, creations_of
+from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
@@ -87,13 +88,26 @@ def _wait_answer(run: Run, call: ApiUse) -> Value:
 def _call_async(run: Run, call: ApiUse) -> Value:
     _register_on_client(run, call)
     place = run.place(call.expression.span) if call.expression is not None else None
+    if place is not None and _is_of_own_client(call):
+        run.messages.asked_in[place] = run.activation
     return FutureValue(creations_of(call.receiver), call.api.path, place)
 
 
+def _is_of_own_client(call: ApiUse) -> bool:
+    """``self.client.call_async(…)``: whoever calls the method gets an answer of the same type."""
+    match call.expression:
+        case facts.Call(func=facts.Attribute(value=facts.Attribute(value=facts.Name(id="self")))):
+            return len({creation.type for creation in creations_of(call.receiver)}) == 1
+    return False
+
+
 def _future_result(run: Run, call: ApiUse) -> Value:
-    if isinstance(call.receiver, FutureValue):
-        return answer(run, call.receiver)
-    return Unknown("the result of a future")
+    if not isinstance(call.receiver, FutureValue):
+        return Unknown("the result of a future")
+    result, asked = answer(run, call.receiver), call.receiver.place
+    if asked is not None and run.messages.asked_in.get(asked) is run.activation and isinstance(result, MessageValue):
+        run.messages.made_in[result.key] = run.activation
+    return result
 
 
 def _callbacks(run: Run, call: ApiUse) -> Value:
