@@ -576,6 +576,19 @@ def test_a_file_of_the_same_name_in_a_folder_that_goes_with_it(findings, beside:
     assert ["did you mean" in row.message for row in found] == [True] * told
 
 
+@pytest.mark.parametrize(("name", "told"), [("script", 0), ("path", 1)])
+def test_a_module_of_the_package_that_only_an_undeclared_parameter_names(findings, name: str, told: int):
+    """PRM004 says that nothing takes the value; installing the module as data would mend nothing."""
+    value = f'<param name="{name}" value="$(find-pkg-share robot)/robot/talker.py"/>'
+    files = {
+        "setup.py": SETUP.replace("    name='robot',\n", "    name='robot',\n    packages=['robot'],\n"),
+        "robot/__init__.py": "",
+        "robot/talker.py": TALKER.replace("declare_parameter('rate', 1.0)", "declare_parameter('path', '')"),
+    }
+    assert len(findings("LCH004", node(value), **files)) == told
+    assert len(findings("PRM004", node(value), **files)) == 1 - told
+
+
 @pytest.mark.parametrize("action", EVERYWHERE)
 def test_a_file_wherever_it_is_named(findings, action):
     launch = {"launch/py.launch.py": IN_PYTHON.format(action=action)}

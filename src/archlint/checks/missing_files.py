@@ -20,6 +20,7 @@ from archlint.launch_files.missing_files import (
     installed_paths,
     is_folder_missing,
     is_installed_nowhere,
+    is_module_for_nothing,
     lacks_a_part,
     lies_in,
     may_do_without,
@@ -93,6 +94,8 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             told = _missing(system, reference, shown)
             if told is None:
                 continue
+        elif is_module_for_nothing(system, (reference, *others)):
+            continue
         else:
             told = _not_installed(system, reference, shown)
         uses_of_it = [use for use in (reference, *others) if use.kind != FileKind.ARGUMENT]

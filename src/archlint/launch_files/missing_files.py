@@ -6,6 +6,7 @@ import posixpath
 import re
 from typing import TYPE_CHECKING
 
+from archlint.analysis.declared_parameters import declared_by
 from archlint.launch.kinds import FileKind, FileStatus
 
 if TYPE_CHECKING:
@@ -114,6 +115,26 @@ def may_do_without(system: System, parameter: str | None) -> bool:
     rows = (row for node in system.nodes for row in node.parameters if row.name.text == parameter)
     files = dict.fromkeys(row.place.file for row in rows)
     return any(workspace.code.mentions(file, word) for file in files for word in _ASKS)
+
+
+def is_module_for_nothing(system: System, uses: Sequence[FileReference]) -> bool:
+    """Whether the path of a Python module of a package is only given to a parameter that no node declares: nothing ever
+    looks there, and PRM004 says so."""
+    return all(use.kind == FileKind.OTHER and _is_module(system, use) and _is_for_nobody(system, use) for use in uses)
+
+
+def _is_module(system: System, use: FileReference) -> bool:
+    installs = None if system.workspace is None else system.workspace.installs.get(use.package or "")
+    python = None if installs is None else installs.python
+    return python is not None and use.source is not None and python.has(use.source)
+
+
+def _is_for_nobody(system: System, use: FileReference) -> bool:
+    """Whether a file is the value of a parameter that none of the nodes declares which get it."""
+    set_on = ((node, {*node.overrides, *(row.name for row in node.settings)}) for node in system.nodes)
+    given = [node for node, names in set_on if use.name in names]
+    declared = [None if node.external else declared_by(node) for node in given]
+    return bool(given) and all(names is not None and use.name not in names for names in declared)
 
 
 def lies_in(workspace: WorkspaceIndex, reference: FileReference) -> tuple[str, str] | None:
