@@ -82,6 +82,14 @@ def test_a_message_after_ctrl_c(judge: Judge, lines: tuple[str, ...]):
     assert "SignalHandlerOptions.NO" in (finding.help or "")
 
 
+@pytest.mark.parametrize("timer", ["self.create_timer(1.0, self.note)", "pass"])
+def test_a_node_that_nothing_wakes(judge: Judge, timer: str):
+    """What ends the wait of the executor is not the signal, once rclpy does not handle it."""
+    code = program(*SPIN, "finally:", "    node.stop()  # here").replace("self.moving = False", timer)
+    (told,) = judge("EXE016", code)
+    assert ("; and give the node a timer, without which" in told.help) is (timer == "pass")
+
+
 def test_a_message_after_the_shutdown(judge: Judge):
     (finding,) = judge("EXE016", program("rclpy.spin_once(node)", "rclpy.shutdown()", "node.stop()  # here"))
     told = "here stop() publishes, which raises an error, and the message is not sent: rclpy is shut down further up"
