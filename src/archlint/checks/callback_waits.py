@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import (
@@ -23,7 +23,7 @@ from archlint.execution.early_results import EarlyResult, early_results, is_disc
 from archlint.execution.event_waits import EventWait, event_waits
 from archlint.execution.stuck import is_spin, stuck_waits
 from archlint.execution.waits import Wait
-from archlint.finding import Finding, Severity
+from archlint.finding import Finding
 from archlint.model import Role
 
 if TYPE_CHECKING:
@@ -33,7 +33,6 @@ _GROUP_HELP = (
     "give the client its own callback group (callback_group=MutuallyExclusiveCallbackGroup()), or " + CONTINUE_WHEN_DONE
 )
 
-_LEAVE_OUT = "leave result() out: the request is sent without it"
 _STORE = "continue in the callback that sets the event"
 _OWN_GROUP = "give the callback that sets the event its own callback group, and wait here with a timeout"
 
@@ -48,7 +47,7 @@ def blocking_call_in_callback(system: System, options: Options) -> Iterator[Find
                 for wait, v in _judged(system, options)
                 if not _by_group(wait)
             ),
-            *(_no_answer_yet(system, early) for early in early_results(system) if runs_in_executor(early.call.context)),
+            *map(partial(_no_answer_yet, system), _read_too_early(system)),
             *(_deaf(system, wait) for wait in event_waits(system)),
             *vain_joins(system, options),
         )
@@ -98,19 +97,24 @@ def _stuck(code: str, system: System, wait: Wait, verdict: Verdict, options: Opt
     )
 
 
+def _read_too_early(system: System) -> Iterator[EarlyResult]:
+    """The results that callbacks read before they are there, and that something uses."""
+    for early in early_results(system):
+        if runs_in_executor(early.call.context) and not is_discarded(source_code(system), early):
+            yield early
+
+
 def _no_answer_yet(system: System, early: EarlyResult) -> Finding:
-    discarded = is_discarded(source_code(system), early)
-    diagnostic = finding_in_callback(
+    return finding_in_callback(
         "EXE002",
         system,
         early.program,
         early.call,
-        f"{callback_words(early.call.context)} {_reads(early)}{', which nothing uses' if discarded else ''}",
-        help=_LEAVE_OUT if discarded else "future.add_done_callback(...) and read the result there",
+        f"{callback_words(early.call.context)} {_reads(early)}",
+        help="future.add_done_callback(...) and read the result there",
         client=early.client,
         identity=(early.client.name.text or "", "result"),
     )
-    return replace(diagnostic, severity=Severity.INFO) if discarded else diagnostic
 
 
 def _reads(early: EarlyResult) -> str:
