@@ -57,6 +57,53 @@ def missing(found: list[Finding]) -> list[str]:
 
 
 @pytest.mark.parametrize(
+    ("tags", "lacking"),
+    [
+        (["<!-- built from source: <exec_depend>sensor_msgs</exec_depend> -->"], ["nav_msgs"]),
+        (["<!--", *depends("sensor_msgs", "nav_msgs"), "-->"], []),
+        (["<!-- sensor_msgs and nav_msgs -->"], ["nav_msgs", "sensor_msgs"]),
+    ],
+)
+def test_a_dependency_that_is_taken_out(lint: Lint, tags: list[str], lacking: list[str]):
+    files = {"talk/package.xml": manifest("talk", *depends("rclpy"), *tags), "talk/talk.py": node(LASER, PATH)}
+    assert sorted(missing(lint(files))) == lacking
+
+
+@pytest.mark.parametrize(
+    ("setup", "command", "told"),
+    [
+        ("~/base_ws/install/setup.bash", "source {SETUP} && env -0", 0),
+        ("~/base_ws/install/local_setup.sh", ". {SETUP} && env", 0),
+        ("~/base_ws/install/setup.bash", "cat {SETUP}", 1),
+        ("~/base_ws/settings.txt", "source {SETUP}", 1),
+    ],
+)
+def test_a_launch_file_that_sources_another_workspace(lint: Lint, setup: str, command: str, told: int):
+    launch = f"""import os
+import subprocess
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+SETUP = os.path.expanduser('{setup}')
+
+def source():
+    for line in subprocess.check_output(['bash', '-c', f'{command}']).decode().split('\\0'):
+        name, _, value = line.partition('=')
+        os.environ[name] = value
+
+def generate_launch_description():
+    source()
+    return LaunchDescription([
+        Node(package='base_driver', executable='base'),
+        Node(package='nav2_map_server', executable='map_server'),
+    ])
+"""
+    files = {"talk/package.xml": manifest("talk", *depends("launch")), "talk/launch/it.launch.py": launch}
+    found = lint(files)
+    assert len(found) == 2 * told
+
+
+@pytest.mark.parametrize(
     ("declared", "lines"),
     [
         ("nav_msgs", [POSE]),  # a message of nav_msgs holds one of geometry_msgs

@@ -14,12 +14,14 @@ from archlint.finding import Place
 from archlint.launch.kinds import StartedKind
 from archlint.packaging.absent_packages import is_from_nowhere
 from archlint.packaging.build_dependencies import packages_to_declare
+from archlint.packaging.commented_out import is_dependency_taken_out
 from archlint.packaging.cpp_includes import packages_of_headers
 from archlint.packaging.imports import imports_at_start
 from archlint.packaging.interface_dependencies import not_handed, types_of_others
 from archlint.packaging.launch_dependencies import packages_of_files, packages_of_includes, runs_of_programs
 from archlint.packaging.manifests import package_around
 from archlint.packaging.optional_packages import optional_packages, packages_looked_up
+from archlint.packaging.other_workspaces import sources_another
 from archlint.packaging.plugin_packages import packages_of_plugins
 from archlint.records import dataclass
 from archlint.ros import packages
@@ -89,6 +91,8 @@ def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, l
             continue
         if use.how in _LAUNCHES and _is_optional(workspace, use):
             continue
+        if is_dependency_taken_out(workspace, package, use.needed) or _is_of_another_workspace(workspace, use):
+            continue
         if use.how == "tests with" and known.declares_for_tests(use.place.file, use.needed):
             continue
         uses = by_package.setdefault(package.relative, [])
@@ -129,6 +133,11 @@ def _is_optional(workspace: WorkspaceIndex, use: Use) -> bool:
     """Whether a launch file catches that there is no such package, and goes on without it."""
     code = workspace.facts_at(use.place.file)
     return code is not None and use.needed in optional_packages(code)
+
+
+def _is_of_another_workspace(workspace: WorkspaceIndex, use: Use) -> bool:
+    """Whether a launch file sources the workspace, not this one, that has what it starts."""
+    return use.needed not in workspace.packages and sources_another(workspace, use.place.file)
 
 
 def _is_left_out(workspace: WorkspaceIndex, package: Package, use: Use) -> bool:
