@@ -214,7 +214,7 @@ def _described(findings, line, more=""):
 )
 def test_a_substitution_that_xacro_does_not_know(findings, line, written, help):
     (told,) = _described(findings, line)
-    assert told.message == f"xacro knows no '{written}': it stops here, and the robot has no description"
+    assert told.message == f"xacro knows no '{written}': xacro stops here, and the robot has no description"
     assert help is None or told.help == help
     assert (told.place.file, told.place.line) == ("urdf/robot.urdf.xacro", 3)
 
@@ -249,7 +249,7 @@ def test_what_xacro_knows_or_may_never_come_to(findings, line):
 )
 def test_a_substitution_in_a_condition_or_in_a_macro_that_is_called(findings, line):
     (told,) = _described(findings, line)
-    message = "xacro knows no '$(share)': where it comes to this, it stops, and the robot has no description"
+    message = "xacro knows no '$(share)': where xacro comes to this, it stops, and the robot has no description"
     assert (told.message, told.severity) == (message, Severity.WARNING)
 
 
@@ -264,6 +264,40 @@ def test_a_substitution_in_a_condition_or_in_a_macro_that_is_called(findings, li
     ],
 )
 def test_a_condition_that_never_holds_and_a_macro_that_nobody_calls(findings, line):
+    assert _described(findings, line) == []
+
+
+@pytest.mark.parametrize(
+    ("line", "written", "closing"),
+    [
+        ("<a b='${(1 + 2) * 3'/>", "${(1 + 2) * 3", "}"),
+        ("<a b='${1} ${2'/>", "${2", "}"),
+        ('<a b="$(arg prefix"/>', "$(arg prefix", ")"),
+        ("<a b='$(dirname)/${name' c='}'/>", "${name", "}"),
+    ],
+)
+def test_an_expression_that_nothing_closes(findings, line, written, closing):
+    """Tried with xacro 2.1.1, which says "invalid expression"."""
+    (told,) = _described(findings, line)
+    message = f"nothing closes '{written}': xacro stops here, and the robot has no description"
+    assert (told.message, told.help) == (message, f"add the '{closing}'")
+    assert (told.place.line, told.severity) == (3, Severity.ERROR)
+    (told,) = _described(findings, f"<xacro:if value='$(arg arm)'>{line}</xacro:if>")
+    assert "where xacro comes to this, it stops" in told.message and told.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "<a b='$${x' c='$$(x' d='$ {x' e='a$' f='$a{' g='}{'/>",
+        "<a b='${1}' c='$(eval 1 + (2 + 3))' d='$$${1}'/>",
+        "<a b='${x\n}'/>",
+        "<!-- <a b='${x'/> -->",
+        "<xacro:property name='p' value='${x'/>",
+        "<xacro:unless value='1'><a b='${x'/></xacro:unless>",
+    ],
+)
+def test_expressions_that_xacro_reads_or_never_comes_to(findings, line):
     assert _described(findings, line) == []
 
 

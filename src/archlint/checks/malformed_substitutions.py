@@ -11,7 +11,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch_files.malformed_substitutions import Malformed, MalformedText, malformed_substitutions
-from archlint.launch_files.unknown_xacro_commands import KNOWN_TO_XACRO, unknown_to_xacro
+from archlint.launch_files.unknown_xacro_commands import KNOWN_TO_XACRO, UnknownToXacro, unknown_to_xacro
 from archlint.launch_files.unperformed_substitutions import unperformed_substitutions
 
 if TYPE_CHECKING:
@@ -31,17 +31,7 @@ def malformed_substitution(system: System, options: Options) -> Iterator[Finding
             identity=(malformed.kind, malformed.written),
             group=(file,),
         )
-    for unknown in unknown_to_xacro(system):
-        stops = "where it comes to this, it stops" if unknown.perhaps else "it stops here"
-        told = finding(
-            "LCH007",
-            unknown.place,
-            f"xacro knows no '{unknown.written}': {stops}, and the robot has no description",
-            help=f"write '{unknown.meant}'" if unknown.meant else f"write one of those that it knows: {KNOWN_TO_XACRO}",
-            identity=("xacro", unknown.written),
-            group=(unknown.place.file, "xacro"),
-        )
-        yield replace(told, severity=Severity.WARNING) if unknown.perhaps else told
+    yield from map(_of_description, unknown_to_xacro(system))
     for text in unperformed_substitutions(system):
         yield finding(
             "LCH007",
@@ -52,6 +42,26 @@ def malformed_substitution(system: System, options: Options) -> Iterator[Finding
             identity=(text.name, text.written),
             group=(text.place.file,),
         )
+
+
+def _of_description(row: UnknownToXacro) -> Finding:
+    """The finding for what xacro stops at, as a warning where it may not come to that."""
+    if row.closing:
+        wrong, help = f"nothing closes '{row.written}'", f"add the '{row.closing}'"
+    elif row.meant:
+        wrong, help = f"xacro knows no '{row.written}'", f"write '{row.meant}'"
+    else:
+        wrong, help = f"xacro knows no '{row.written}'", f"write one of those that it knows: {KNOWN_TO_XACRO}"
+    stops = "where xacro comes to this, it stops" if row.perhaps else "xacro stops here"
+    told = finding(
+        "LCH007",
+        row.place,
+        f"{wrong}: {stops}, and the robot has no description",
+        help=help,
+        identity=("xacro", row.written),
+        group=(row.place.file, "xacro"),
+    )
+    return replace(told, severity=Severity.WARNING) if row.perhaps else told
 
 
 _ASK_FOR_IT = "write ParameterFile(…, allow_substs=True) where the file is given to a node"

@@ -10,7 +10,7 @@ from archlint.place import Place
 from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.syntax.description_files import files_named
-from archlint.syntax.xacro_commands import COMMANDS, macros_called, unknown_commands
+from archlint.syntax.xacro_commands import COMMANDS, Unclosed, macros_called, unclosed_expressions, unknown_commands
 
 if TYPE_CHECKING:
     from archlint.syntax.xacro_commands import UnknownCommand
@@ -31,6 +31,8 @@ class UnknownToXacro:
     written: str
     meant: str
     perhaps: bool
+    closing: str = ""
+    """The bracket that it lacks, where that is what is wrong."""
 
 
 def unknown_to_xacro(system: System) -> Iterator[UnknownToXacro]:
@@ -45,11 +47,15 @@ def unknown_to_xacro(system: System) -> Iterator[UnknownToXacro]:
     texts = [workspace.tree.text(file) or "" for file in code]
     called = {name for file in files for name in macros_called(workspace.tree.text(file) or "")}
     for file in files:
-        for command in unknown_commands(workspace.tree.text(file) or "", called):
-            if not any(command.written in text for text in texts):
-                meant = _meant(command, command.command in workspace.packages)
-                perhaps = command.perhaps or file not in named
-                yield UnknownToXacro(Place(file, *command.span), command.written, meant, perhaps)
+        description = workspace.tree.text(file) or ""
+        rows: list[Unclosed | UnknownCommand] = [*unclosed_expressions(description, called)]
+        rows += unknown_commands(description, called)
+        for row in rows:
+            if not any(row.written in text for text in texts):
+                closing = row.closing if isinstance(row, Unclosed) else ""
+                meant = "" if isinstance(row, Unclosed) else _meant(row, row.command in workspace.packages)
+                perhaps = row.perhaps or file not in named
+                yield UnknownToXacro(Place(file, *row.span), row.written, meant, perhaps, closing)
 
 
 def _included_perhaps(workspace: WorkspaceIndex, certain: Sequence[str]) -> list[str]:

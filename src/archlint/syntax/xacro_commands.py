@@ -1,6 +1,7 @@
-"""Substitutions in a description of a robot that xacro does not know, ``$(robot)`` for ``$(find robot)``.
+"""What xacro stops at in a description of a robot: ``$(robot)`` for ``$(find robot)``, and ``${`` without its ``}``.
 
-Source: ``resolve_args`` of xacro's ``substitution_args.py``, which raises "Unknown substitution command".  What stands
+Source: ``resolve_args`` of xacro's ``substitution_args.py``, which raises "Unknown substitution command", and the
+``QuickLexer`` of its ``eval_text``, which raises "invalid expression".  What stands
 in a macro that nobody calls, a condition that never holds, a property (which is looked at where it is used), a comment
 or CDATA may never be looked at.
 """
@@ -23,6 +24,10 @@ _NAME = re.compile(r"(?<![\w:.-])name\s*=\s*([\"'])(?:xacro:)?([^\"']*)\1")
 _CDATA = re.compile(r"<!\[CDATA\[.*?\]\]>", re.DOTALL)
 _SUBSTITUTION = re.compile(r"(?<!\$)\$\(\s*([A-Za-z_][\w.-]*)([^()$]*)\)")
 
+_ATTRIBUTE = re.compile(r"""=\s*(?:"([^"]*)"|'([^']*)')""")
+_CLOSED = re.compile(r"[^$]|\$\$+[{(]?|\$\{[^}]*\}|\$\([^)]*\)|\$(?![{(])")
+"""What the lexer of xacro takes at a time."""
+
 
 @dataclass(frozen=True)
 class UnknownCommand:
@@ -36,21 +41,65 @@ class UnknownCommand:
     perhaps: bool
 
 
+@dataclass(frozen=True)
+class Unclosed:
+    """What is ``written`` from an opening bracket to the end of an attribute, without the one that closes it."""
+
+    written: str
+    closing: str
+    span: Span
+    perhaps: bool
+
+
 def unknown_commands(text: str, called: Container[str]) -> Iterator[UnknownCommand]:
     """Those that xacro comes to, where the macros are ``called`` that somebody calls.  Never raises."""
     if "$(" not in text:
         return
-    text = blank_xml_comments(text)
-    text = _CDATA.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+    text = _evaluated(text)
     regions = [*_regions(text, called)]
     for match in _SUBSTITUTION.finditer(text):
         around = [region for region in regions if region.start <= match.start() < region.end]
-        if match[1] in COMMANDS or any(region.skipped for region in around):
-            continue
-        line = text.count("\n", 0, match.start()) + 1
-        column = match.start() - text.rfind("\n", 0, match.start())
-        span = (line, column, line, column + match.end() - match.start())
-        yield UnknownCommand(match[0], match[1], not match[2].strip(), span, bool(around))
+        if match[1] not in COMMANDS and not any(region.skipped for region in around):
+            span = _span(text, match.start(), match.end())
+            yield UnknownCommand(match[0], match[1], not match[2].strip(), span, bool(around))
+
+
+def unclosed_expressions(text: str, called: Container[str]) -> Iterator[Unclosed]:
+    """The ``${`` and ``$(`` in attributes that nothing closes there, where xacro comes to them.  Never raises."""
+    if "$" not in text:
+        return
+    text = _evaluated(text)
+    regions = [*_regions(text, called)]
+    for tag in TAG.finditer(text):
+        for attribute in _ATTRIBUTE.finditer(text, tag.start(3), tag.end(3)):
+            start, end = attribute.span(1 if attribute[1] is not None else 2)
+            at = _first_unclosed(text, start, end)
+            around = [region for region in regions if region.start <= start < region.end]
+            if at is not None and not any(region.skipped for region in around):
+                written, _, _ = text[at:end].partition("\n")
+                closing = "}" if written[1] == "{" else ")"
+                yield Unclosed(written, closing, _span(text, at, at + len(written)), bool(around))
+
+
+def _first_unclosed(text: str, start: int, end: int) -> int | None:
+    """Where xacro stops in an attribute."""
+    while start < end:
+        match = _CLOSED.match(text, start, end)
+        if match is None:
+            return start
+        start = match.end()
+    return None
+
+
+def _evaluated(text: str) -> str:
+    """The text without what xacro leaves as it is."""
+    return _CDATA.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), blank_xml_comments(text))
+
+
+def _span(text: str, start: int, end: int) -> Span:
+    line = text.count("\n", 0, start) + 1
+    column = start - text.rfind("\n", 0, start)
+    return (line, column, line, column + end - start)
 
 
 def macros_called(text: str) -> Iterator[str]:
@@ -88,4 +137,4 @@ def _regions(text: str, called: Container[str]) -> Iterator[_Region]:
         yield _Region(start, len(text), skipped)
 
 
-__all__ = ["COMMANDS", "UnknownCommand", "macros_called", "unknown_commands"]
+__all__ = ["COMMANDS", "Unclosed", "UnknownCommand", "macros_called", "unclosed_expressions", "unknown_commands"]
