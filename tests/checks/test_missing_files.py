@@ -1206,3 +1206,35 @@ def test_the_files_of_a_folder_that_gitignore_leaves_out(findings):
     )
     (told,) = findings("LCH004", launch, **{".gitignore": "*.yml\n"})
     assert told.help == "check the path of the folder; it is relative to the package's installed share folder"
+
+
+WITH_A_MESH = """\
+<robot name="robot">
+  <mesh filename="{}"/>
+</robot>
+"""
+
+
+@pytest.mark.parametrize(
+    ("url", "told"),
+    [
+        ("package://parts/arm.stl", ["'arm.stl'; did you mean 'robot/parts'?"]),
+        ("package://parts/left/arm.stl", ["'left/arm.stl'; did you mean 'robot/parts'?"]),
+        ("package://parts/leg.stl", []),  # nobody knows what that is
+        ("package://robot/parts/arm.stl", []),
+        ("package://rviz2/arm.stl", []),  # a package of ROS
+        ("file://parts/arm.stl", []),
+    ],
+)
+def test_a_mesh_by_a_folder_of_the_package_alone(findings, url: str, told: list[str]):
+    """The folder is no package: rviz does not find the mesh."""
+    launch = '<node pkg="robot" exec="talker"><param name="robot_description" '
+    launch += "value=\"$(command 'xacro $(find-pkg-share robot)/config/robot.urdf.xacro')\"/></node>"
+    setup = SETUP.replace("data_files=[", "data_files=[('share/robot/parts', glob('parts/**', recursive=True)), ")
+    files = {"parts/arm.stl": "", "parts/left/arm.stl": "", "config/robot.urdf.xacro": WITH_A_MESH.format(url)}
+    rows = findings("LCH004", launch, **files, **{"setup.py": setup, "rviz2/arm.stl": ""})
+    start = "there is no package 'parts', in which this looks for the file "
+    assert [row.message for row in rows] == [start + end for end in told]
+    assert [(row.place.file, row.place.line, row.help) for row in rows] == [
+        ("config/robot.urdf.xacro", 2, "write 'robot/parts'") for _ in told
+    ]

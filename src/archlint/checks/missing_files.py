@@ -31,6 +31,7 @@ from archlint.launch_files.missing_files import (
     path_of_these_parts,
 )
 from archlint.packaging.absent_packages import (
+    folder_of_description,
     is_nowhere,
     is_placeholder,
     is_told_at_a_start,
@@ -243,6 +244,8 @@ def _absent_packages(system: System) -> Iterator[Finding]:
         near = package_meant(workspace, package, named, reference.place.file) or package_with(
             workspace, package, named, reference.place.file
         )
+        if near is None and reference.kind == FileKind.OTHER:
+            near = folder_of_description(workspace, package, named, reference.place.file)
         if near is None and not is_placeholder(package):
             continue
         yield finding(

@@ -137,6 +137,16 @@ def package_with(workspace: WorkspaceIndex, package: str, path: str, launch_file
     return alone if alone is not None and _has_all(workspace, alone, package) else None
 
 
+def folder_of_description(workspace: WorkspaceIndex, folder: str, path: str, description: str) -> str | None:
+    """The folder of a package that a description of a robot takes for a package itself, ``package://meshes/arm.stl``,
+    behind the name of the package that has it, as it is the description's own."""
+    own = workspace.packages.get(workspace.package_of(description) or "")
+    if own is None or not description.endswith((".urdf", ".xacro")):
+        return None
+    there = posixpath.normpath(posixpath.join(own.relative, folder, path))
+    return f"{own.name}/{folder}" if workspace.tree.is_file(there) else None
+
+
 def _has_all(workspace: WorkspaceIndex, own: str, package: str) -> bool:
     """Whether a package has all files that launch files look for in another one: what has only some of them is no other
     name for it, as packages that are made of one template have files of one name."""
@@ -298,6 +308,7 @@ def _stands_in(workspace: WorkspaceIndex, files: Sequence[str], text: re.Pattern
 
 
 __all__ = [
+    "folder_of_description",
     "has_a_rule_for_rosdep",
     "is_a_key_of_some_file",
     "is_from_nowhere",
