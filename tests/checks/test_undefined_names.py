@@ -7,9 +7,11 @@ from textwrap import dedent
 
 import pytest
 
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Severity
 from checks.judging import Judge
-from robot_package import CMAKE, SETUP
+from robot_package import CMAKE, SETUP, manifest, write_files
 
 NODE = """
 import rclpy
@@ -405,6 +407,46 @@ def test_star_imports_that_are_known(judge: Judge) -> None:
     helpers = "import math\n\nvalue = 3\n\n\ndef scale():\n    return value\n"
     star = "from node1 import *\nfrom std_msgs.msg import *\n"
     judge("API005", star + _node("print(value, scale(), math, Int32())", "print(time)  # here"), helpers)
+
+
+INTERFACES = {
+    "parts/package.xml": """<package format="3"><name>parts</name><version>0.1.0</version><description>x</description>
+<maintainer email="a@example.org">A</maintainer><license>MIT</license><buildtool_depend>ament_cmake</buildtool_depend>
+<build_depend>rosidl_default_generators</build_depend><member_of_group>rosidl_interface_packages</member_of_group>
+<export><build_type>ament_cmake</build_type></export></package>""",
+    "parts/CMakeLists.txt": "project(parts)\nfind_package(rosidl_default_generators REQUIRED)\n"
+    'rosidl_generate_interfaces(parts "msg/TaskRequest.msg" "srv/Start.srv")\nament_package()\n',
+    "parts/msg/TaskRequest.msg": "int32 id\n",
+    "parts/srv/Start.srv": "---\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("star", "name", "told"),
+    [
+        ("from parts.msg import *", "Task", True),
+        ("from parts.msg import *", "TaskRequest", False),
+        ("from parts.msg import *", "Start", True),
+        ("from parts.srv import *", "Start", False),
+        ("from parts.msg import *\nfrom parts.srv import *", "Start", False),
+        ("from parts.msg import *\nfrom std_msgs.msg import *", "Task", False),  # who knows what that will have
+        ("from other_parts.msg import *", "Task", False),
+        ("from parts.msg import *\nfrom robot.more import *", "Task", False),
+    ],
+)
+def test_a_star_import_of_interfaces_of_the_workspace(tmp_path, monkeypatch, star: str, name: str, told: bool) -> None:
+    more = "import rclpy\nfrom somewhere import *\n"
+    package = {
+        "package.xml": manifest(),
+        "setup.py": SETUP,
+        "robot/__init__.py": "",
+        "robot/talker.py": f"{star}\n{_node(f'print({name}())')}",
+    }
+    files = {f"robot/{file}": text for file, text in package.items()} | {"robot/robot/more.py": more}
+    write_files(tmp_path, {"archlint.toml": 'select = ["API005"]', **INTERFACES, **files})
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [f"'{name}'" in row.message for row in rows] == [True] * told
 
 
 @pytest.mark.parametrize(

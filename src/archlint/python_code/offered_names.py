@@ -9,6 +9,7 @@ from archlint.analysis.kept import kept_for_each_file
 from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import given_by
+from archlint.syntax.interfaces import INTERFACE_KINDS
 from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
 
 if TYPE_CHECKING:
@@ -16,15 +17,14 @@ if TYPE_CHECKING:
 
 _MAKES_NAMES = frozenset({"__builtins__", "exec", "execfile", "globals", "locals", "vars"})
 """What code may bind any name with."""
-_INTERFACES = frozenset({"action", "msg", "srv"})
 _DEPTH = 8
 """How many star imports are followed."""
 
 
 @dataclass(frozen=True)
 class Starred:
-    """The names that star imports bring; ``classes`` says that those of interfaces are among them, all of which begin
-    with a capital letter."""
+    """The names that star imports bring; ``classes`` says that those of interfaces are among them that are not known,
+    all of which begin with a capital letter."""
 
     names: frozenset[str] = frozenset()
     classes: bool = False
@@ -67,9 +67,12 @@ def starred(workspace: WorkspaceIndex, file: str, code: facts.Facts, depth: int 
         imported = workspace.code.imported(file, statement.module, statement.level)
         path = workspace.code.path_of_import(file, statement.module, statement.level)
         if imported is None or path is None:
-            if statement.level or statement.module.rpartition(".")[2] not in _INTERFACES:
+            package, _, kind = statement.module.rpartition(".")
+            if statement.level or kind not in INTERFACE_KINDS:
                 return None
-            classes = True
+            own = None if workspace.interfaces is None else workspace.interfaces.all_of_package(package, kind)
+            names |= own or frozenset()
+            classes |= own is None
             continue
         further = starred(workspace, path, imported, depth - 1) if depth > 0 else None
         if further is None:

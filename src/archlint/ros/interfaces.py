@@ -247,6 +247,15 @@ class InterfaceTable:
             return sorted(name for name in here if not self.is_left_out(package, kind, name))
         return sorted(standard_interfaces.table().names(package, kind))
 
+    def all_of_package(self, package: str, kind: InterfaceKind) -> frozenset[str] | None:
+        """The names of the interfaces of one kind that a package of the workspace has files of, or lists: it generates
+        no others.  None where not all of them are known."""
+        if not self.is_of_workspace(package):
+            return None
+        start = f"{package}/{kind}/"
+        here = {name.removeprefix(start) for name in self._files if name.startswith(start)}
+        return frozenset(here | {name for own, of_kind, name in self._listed if (own, of_kind) == (package, kind)})
+
     def packages_with(self, kind: InterfaceKind, name: str) -> tuple[str, ...]:
         """The packages of the workspace that define an interface of that kind and name, sorted."""
         end = f"/{kind}/{name}"
