@@ -200,6 +200,15 @@ def test_a_module_that_the_setup_installs_elsewhere(said: Callable[..., list[Fin
     assert said("from camera import open_camera", **{"setup.py": setup}) == []
 
 
+@pytest.mark.parametrize("text", ["'Drives the camera.'", '"The robot\'s camera"', "'''\nReads a camera\n'''"])
+def test_a_module_that_the_setup_only_speaks_of(said: Callable[..., list[Finding]], text: str) -> None:
+    setup = SETUP.replace("entry_points", f"description={text}, entry_points")
+    (finding,) = said("from camera import open_camera", **{"setup.py": setup})
+    assert finding.message.startswith("'camera' is not found once a console script imports this file")
+    installed = setup.replace("entry_points", "py_modules=['camera'], entry_points")
+    assert said("from camera import open_camera", **{"setup.py": installed}) == []
+
+
 def test_a_module_that_the_setup_installs_among_the_scripts(said: Callable[..., list[Finding]]) -> None:
     files = "data_files=[(os.path.join('lib', 'robot'), glob(os.path.join('robot', '*')))], entry_points"
     setup = "import os\nfrom glob import glob\n" + SETUP.replace("entry_points", files)

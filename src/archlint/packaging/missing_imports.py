@@ -43,6 +43,9 @@ _COMPILED = frozenset({"cython", "generate_parameter_module", "nanobind", "pybin
 _MADE_BY_TOOLS = ("_pb2", "_pb2_grpc", "_parameters", "_rc", "_ui", "_version")
 """How the names of modules end that a tool writes while the package is built."""
 
+_PROSE = re.compile(r"""\b(?:long_)?description\s*=\s*(\"{3}|'{3}|\"|')(?:\\.|(?!\1)[^\\])*\1""")
+"""What a setup.py says for people to read: a name in there installs nothing."""
+
 
 @dataclass(frozen=True)
 class MissingImport:
@@ -317,7 +320,7 @@ def _is_named_in_setup(workspace: WorkspaceIndex, package: str, above: str, top:
     if text is None or "package_dir" in text:
         return True
     inside = "[./]".join(map(re.escape, [*above.split("."), top]))
-    return re.search(rf"\b{re.escape(top)}\b", re.sub(rf"['\"]{inside}['\"]", "", text)) is not None
+    return re.search(rf"\b{re.escape(top)}\b", re.sub(rf"['\"]{inside}['\"]", "", _PROSE.sub("", text))) is not None
 
 
 @once
