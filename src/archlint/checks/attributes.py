@@ -14,6 +14,7 @@ from archlint.place import Place
 from archlint.python_code.absent_asked import AbsentAsked, absent_asked
 from archlint.python_code.absent_members import AbsentMember, absent_members
 from archlint.python_code.enum_members import absent_enum_members
+from archlint.python_code.hidden_methods import HiddenMethod, hidden_methods
 from archlint.python_code.indexed_methods import IndexedMethod, indexed_methods
 from archlint.python_code.kept_in_variables import kept_in_variable
 from archlint.python_code.logger_calls import AbsentOfLogger, absent_of_loggers
@@ -55,6 +56,11 @@ def attribute_findings(system: System, refused: Set[tuple[str, str]] = frozenset
     for asked in absent_asked(system.workspace):
         yield from unless_uncalled(system, _asked_for(asked))
     yield from map(_method_overwritten, overwritten_methods(system.workspace))
+    hidden: dict[Place, Finding] = {}
+    for method in hidden_methods(system.workspace):
+        if any(unless_uncalled(system, replace(told := _method_hidden(method), place=method.called))):
+            hidden.setdefault(method.place, told)
+    yield from hidden.values()
     yield from map(_action_overwritten, overwritten_actions(system.workspace))
     of_objects = {absent.place: absent for absent in absent_of_objects(system)}
     of_objects.update((absent.place, absent) for absent in absent_members(system.workspace))
@@ -133,6 +139,18 @@ def _method_overwritten(row: OverwrittenMethod) -> Finding:
         f"from here on self.{row.name} is no method of the node: calling it fails with a TypeError",
         help=f"give the attribute another name than {row.name}",
         related=[] if row.called == row.place else [Related(row.called, f"{row.name}() is called here")],
+        identity=(row.cls, row.name, "method"),
+        group=(OF_CLASS, row.place.file, row.cls, row.name),
+    )
+
+
+def _method_hidden(row: HiddenMethod) -> Finding:
+    return finding(
+        "API002",
+        row.place,
+        f"from here on self.{row.name} is no method of {row.cls}: calling it fails with a TypeError",
+        help=f"give the attribute another name than {row.name}",
+        related=[Related(row.called, f"{row.name}() is called here")],
         identity=(row.cls, row.name, "method"),
         group=(OF_CLASS, row.place.file, row.cls, row.name),
     )
