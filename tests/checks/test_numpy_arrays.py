@@ -132,6 +132,82 @@ def test_what_may_be_asked_of_an_array(judge: Judge, line: str):
     judge("API001", viewer(line))
 
 
+EACH_OF = "compares each element, of which many are neither true nor false, and this line fails with a ValueError"
+
+
+@pytest.mark.parametrize(
+    ("line", "comparison", "help"),
+    [
+        pytest.param(
+            "near = self.ranges > 0.1 and self.ranges < 0.5",
+            ">",
+            "put each comparison in parentheses, and join them by &",
+        ),
+        pytest.param(
+            "far = self.ranges < 0.1 or self.ranges > 9.0",
+            "<",
+            "put each comparison in parentheses, and join them by |",
+        ),
+        pytest.param("near = 0.1 <= self.ranges < 0.5", "<=", "put each comparison in parentheses, and join them by &"),
+        pytest.param(
+            "if self.ranges < 0.5: return", "<", "ask what you mean: .any() or .all() of what self.ranges < … gives"
+        ),
+        pytest.param(
+            "if 0.1 < self.ranges < 0.5: return",
+            "<",
+            "ask what you mean: .any() or .all() of what self.ranges < … gives",
+        ),
+    ],
+    ids=["and", "or", "a chain", "a condition", "a chain as a condition"],
+)
+def test_the_truth_of_a_comparison(judge: Judge, line: str, comparison: str, help: str):
+    (finding,) = judge("API001", viewer(f"{line}  # here"))
+    assert finding.message == f"self.ranges is an array of numpy: '{comparison}' {EACH_OF}"
+    assert finding.help == help
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("angles = np.linspace(-1.0, 1.0)", True),
+        ("angles = np.linspace(-1.0, 1.0, self.count)", True),
+        ("angles = np.linspace(-1.0, 1.0, num=1)", False),
+        ("angles = np.arange(self.count)", False),
+    ],
+)
+def test_the_steps_of_a_line(judge: Judge, line: str, told: bool):
+    judge("API001", viewer(f"{line}\n            print(angles > 0.0 and angles < 0.5){'  # here' if told else ''}"))
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "near = (self.ranges > 0.1) & (self.ranges < 0.5)",
+        "near = self.ranges < 0.5",
+        "near = self.count and self.ranges < 0.5",
+        "near = self.ranges[self.ranges < 0.5]",
+        "if (self.ranges < 0.5).any() and self.count: return",
+        "if self.ranges[0] < 0.5 and min(self.ranges) < 0.5: return",
+        "near = 0.1 < self.count < self.ranges",
+        "if self.one > 0.5 or self.other > 0.5: return",
+        "picture = self.count and self.picture",
+    ],
+    ids=[
+        "&",
+        "no truth",
+        "the last of several",
+        "a mask",
+        "any",
+        "items",
+        "the last of a chain",
+        "maybe one",
+        "a value",
+    ],
+)
+def test_comparisons_of_whose_truth_nobody_asks(judge: Judge, line: str):
+    judge("API001", viewer(line))
+
+
 def test_what_an_array_does_not_have(judge: Judge):
     (finding,) = judge("API002", viewer("print(self.picture.header)  # here"))
     assert finding.message == (

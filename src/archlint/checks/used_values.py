@@ -231,6 +231,8 @@ def _hidden(row: HiddenMessage) -> Finding:
 
 
 def _truth(row: ArrayTruth) -> Finding:
+    if row.comparison:
+        return _compared_truth(row)
     asked = (
         "comparing it with None compares each element"
         if row.compared
@@ -243,6 +245,21 @@ def _truth(row: ArrayTruth) -> Finding:
         row.place,
         f"{row.what} is an array of numpy: {asked}, and this line fails with a ValueError",
         help=cure,
+        related=[Related(row.assigned, f"this is what {row.what} gets")],
+        identity=(TRUTH, row.what),
+        group=(row.place.file, PLAIN, row.what, TRUTH),
+    )
+
+
+def _compared_truth(row: ArrayTruth) -> Finding:
+    mask = {"and": "&", "or": "|"}.get(row.joined, "")
+    cure = f"ask what you mean: .any() or .all() of what {row.what} {row.comparison} … gives"
+    return finding(
+        "API001",
+        row.place,
+        f"{row.what} is an array of numpy: '{row.comparison}' compares each element, of which many are neither true "
+        "nor false, and this line fails with a ValueError",
+        help=f"put each comparison in parentheses, and join them by {mask}" if mask else cure,
         related=[Related(row.assigned, f"this is what {row.what} gets")],
         identity=(TRUTH, row.what),
         group=(row.place.file, PLAIN, row.what, TRUTH),

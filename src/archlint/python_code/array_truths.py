@@ -1,11 +1,14 @@
-"""Arrays of numpy for whose truth code asks, as it asks for None: ``if not self.image:``, ``if self.image == None:``.
+"""Arrays of numpy for whose truth code asks, as it asks for None: ``if not self.image:``, ``if self.image == None:``;
+and comparisons of one, ``angles >= low and angles <= high``.
 
-Source: ``ndarray.__bool__`` of numpy raises a ValueError for more than one element; ``==`` compares each element.
+Source: ``ndarray.__bool__`` of numpy raises a ValueError for more than one element; ``==``, ``<`` and the like compare
+each element.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Set
+from collections.abc import Collection, Iterator, Mapping, Sequence, Set
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -42,6 +45,10 @@ class ArrayTruth:
     or_none: bool
     """Whether it is None until there is one."""
     assigned: Place
+    comparison: str = ""
+    """What it is compared with something else by, of which the truth is asked, ``<=``."""
+    joined: str = ""
+    """``and`` or ``or``, where that joins comparisons to a value that no condition asks for."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +60,8 @@ class _Row:
     or_none: bool
     assigned: facts.Span
     cls: int | None = None
+    comparison: str = ""
+    joined: str = ""
 
 
 def array_truths(workspace: WorkspaceIndex) -> Iterator[ArrayTruth]:
@@ -61,7 +70,9 @@ def array_truths(workspace: WorkspaceIndex) -> Iterator[ArrayTruth]:
         for row in _rows(workspace, path) or ():
             if row.cls is None or is_its_own(workspace, path, row.cls, row.what.removeprefix("self.")):
                 place, assigned = Place(path, *row.span), Place(path, *row.assigned)
-                yield ArrayTruth(place, row.what, row.compared, row.negated, row.or_none, assigned)
+                yield ArrayTruth(
+                    place, row.what, row.compared, row.negated, row.or_none, assigned, row.comparison, row.joined
+                )
 
 
 @kept_for_each_file
@@ -124,28 +135,65 @@ def _asking(
     function: facts.Function, arrays: Mapping[str, _Array], expecting: Set[Itself[facts.Base]], number: int | None
 ) -> Iterator[_Row]:
     told = {*expecting}
-    for part in parts_of(function.body) if arrays else ():
-        for test in tests_in(part):
+    parts = [*parts_of(function.body)] if arrays else []
+    decisive = {Itself(each) for part in parts for test in _conditions(part) for each in everything_in([test])}
+    for part in parts:
+        is_value = Itself(part) not in decisive
+        for test, joined in _truths_in(part):
             for tested, compared, negated in _tested(test):
-                held = tested.left if isinstance(tested, facts.Compare) else tested
-                name = f"self.{own}" if (own := of_self(held)) is not None else held.variable
-                if name in arrays and Itself[facts.Base](tested) not in told:
-                    told.add(Itself(tested))
-                    array = arrays[name]
-                    yield _Row(tested.span, name, compared, negated, array.or_none, array.span, number)
+                if Itself[facts.Base](tested) in told:
+                    continue
+                comparison = tested.ops[0] if isinstance(tested, facts.Compare) and not compared else ""
+                for held in _held(tested):
+                    name = f"self.{own}" if (own := of_self(held)) is not None else held.variable
+                    if name in arrays and Itself[facts.Base](tested) not in told:
+                        told.add(Itself(tested))
+                        array = arrays[name]
+                        row = _Row(tested.span, name, compared, negated, array.or_none, array.span, number)
+                        yield replace(row, comparison=comparison, joined=joined if comparison and is_value else "")
+
+
+def _truths_in(part: facts.Base) -> Iterator[tuple[facts.Expr, str]]:
+    """The expressions for whose truth a piece of code asks.  Of ``a and b`` it is that of ``a``, and the word itself
+    where no condition is asked for all of it; of ``a < b < c`` that of ``a < b``."""
+    match part:
+        case facts.Boolean(op=op, values=values):
+            yield from ((value, op) for value in values[:-1])
+        case facts.Compare(left=left, ops=[first, _, *_], comparators=[second, *_], span=span):
+            yield facts.Compare(left, [first], [second], span), "and"
+        case facts.Unary(op="not"):
+            yield part, ""
+        case _:
+            yield from ((test, "") for test in _conditions(part))
+
+
+def _conditions(part: facts.Base) -> Sequence[facts.Expr]:
+    """The conditions that decide what runs, or what a value is."""
+    return () if isinstance(part, facts.Boolean) else tests_in(part)
+
+
+def _held(tested: facts.Name | facts.Attribute | facts.Compare) -> Sequence[facts.Expr]:
+    """What may be an array in an expression of whose truth code asks."""
+    return [tested.left, *tested.comparators] if isinstance(tested, facts.Compare) else [tested]
 
 
 def _tested(
     test: facts.Expr, negated: bool = False
 ) -> Iterator[tuple[facts.Name | facts.Attribute | facts.Compare, bool, bool]]:
-    """The names of whose values a test asks for the truth, and the comparisons of one with None."""
+    """The names of whose values a test asks for the truth, the comparisons of one with None, and with anything else
+    that makes an array of the same length."""
     match test:
         case facts.Unary(op="not", operand=operand):
             yield from _tested(operand, not negated)
+        case facts.Boolean(values=values):
+            for value in values:
+                yield from _tested(value, negated)
         case facts.Name() | facts.Attribute():
             yield test, False, negated
         case facts.Compare(ops=["==" | "!=" as op], comparators=[facts.Literal(value=None)]):
             yield test, True, negated is not (op == "==")
+        case facts.Compare(ops=["<" | "<=" | ">" | ">="]):
+            yield test, False, negated
 
 
 __all__ = ["ArrayTruth", "array_truths"]

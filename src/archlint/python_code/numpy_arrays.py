@@ -52,12 +52,21 @@ def is_array(
     first = value.args[0].value
     if name in _COPIES:
         return is_array(first, variables, depth - 1) or _has_many(first) or first.last_name == "ranges"
+    if name == "linspace":
+        return _has_many_steps(value.args)
     return name in _FILLED and _is_of_many(first)
 
 
 def _has_many(value: facts.Expr) -> bool:
     """``[0.0, 0.0]``"""
     return isinstance(value, facts.Sequence) and len(value.elements) > 1
+
+
+def _has_many_steps(given: Sequence[facts.Argument]) -> bool:
+    """``np.linspace(low, high)``, which makes 50 steps, and one that is told how many: nobody wants a single one."""
+    third = [each.value for each in given if each.keyword == "num"] or [each.value for each in given[2:3]]
+    plain = not any(each.star for each in given)
+    return plain and (not third or not isinstance(third[0], facts.Literal) or third[0].value not in (0, 1))
 
 
 def _is_of_many(shape: facts.Expr) -> bool:
