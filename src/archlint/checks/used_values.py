@@ -14,6 +14,7 @@ from archlint.python_code.array_truths import ArrayTruth, array_truths
 from archlint.python_code.called_modules import CalledModule, called_modules
 from archlint.python_code.called_values import CalledValue, called_values
 from archlint.python_code.empty_lists import ItemOfNothing, items_of_nothing
+from archlint.python_code.entered_nothing import EnteredNothing, entered_nothing
 from archlint.python_code.formatted_texts import WrongCount, wrong_counts
 from archlint.python_code.hidden_messages import HiddenMessage, hidden_messages
 from archlint.python_code.misused_kinds import Misuse, MisusedKind, misused_kinds
@@ -64,6 +65,8 @@ def used_value_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _hidden(hidden))
         for truth in array_truths(system.workspace):
             yield from unless_uncalled(system, _truth(truth))
+        for entered in entered_nothing(system.workspace):
+            yield from unless_uncalled(system, _entered(entered))
         for item in items_of_nothing(system.workspace):
             yield from unless_uncalled(system, _item(item))
         for misused in misused_kinds(system.workspace):
@@ -157,6 +160,22 @@ def _nothing(row: UsedNothing) -> Finding:
     )
     tests = row.use in (Use.TESTS, Use.TESTS_NOT)
     return replace(diagnostic, severity=Severity.WARNING) if tests else diagnostic
+
+
+def _entered(row: EnteredNothing) -> Finding:
+    return finding(
+        "API001",
+        row.place,
+        f"__enter__() of {row.cls} returns None: {row.variable} is None here, and using it fails with an "
+        "AttributeError",
+        help="let __enter__() end with `return self`",
+        related=[
+            Related(row.used, f"{row.variable} is used here"),
+            Related(row.defined, "__enter__() is defined here, and returns nothing"),
+        ],
+        identity=("entered", row.variable),
+        group=(row.place.file, "entered", row.cls),
+    )
 
 
 def _count(row: WrongCount) -> Finding:

@@ -64,7 +64,7 @@ def uses_of_nothing(workspace: WorkspaceIndex) -> Iterator[UsedNothing]:
         for call in (own_calls_of(workspace, path) or ()) if uses else ():
             row = uses.get(call.span)
             meant = None if row is None else function_meant(workspace, path, call)
-            if row is not None and meant is not None and _returns_nothing(meant.code):
+            if row is not None and meant is not None and returns_nothing(meant.code):
                 defined = Place(meant.file, *meant.code.name_span)
                 yield UsedNothing(Place(path, *row[1]), call.name, row[0], defined)
 
@@ -91,7 +91,7 @@ def _outside_of_guard(
 
 
 @once_for
-def _returns_nothing(code: facts.Function) -> bool:
+def returns_nothing(code: facts.Function) -> bool:
     """Whether a function returns None wherever it ends, and is more than a place for one to be written."""
     if code.is_async or code.is_generator or code.decorators or code.name == "__init__" or always_raises(code.body):
         return False
@@ -243,4 +243,4 @@ def _lists_in(body: Sequence[facts.Stmt]) -> frozenset[str]:
     return frozenset(name for name in lists if lists.count(name) == bound.count(name))
 
 
-__all__ = ["Use", "UsedNothing", "tests_in", "uses_of_nothing"]
+__all__ = ["Use", "UsedNothing", "returns_nothing", "tests_in", "uses_of_nothing"]
