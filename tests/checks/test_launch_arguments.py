@@ -16,6 +16,46 @@ def test_an_argument_that_every_includer_passes_is_declared_enough(findings):
     assert found.place.file.startswith("launch/")
 
 
+@pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        ("ros2 launch robot it.launch.xml rate:=2 name:=a", 0),
+        ("ros2 launch robot it.launch.xml \\\n  name:=a", 0),
+        ("ros2 launch robot other.launch.xml name:=a", 1),
+        ("ros2 launch robot it.launch.xml rate:=2", 1),
+    ],
+)
+def test_an_argument_that_a_document_gives_on_the_command_line(findings, command: str, told: int):
+    launch = f'<arg name="rate" default="1"/>{node(name="$(var name)")}'
+    assert len(findings("LCH003", launch, **{"README.md": f"    {command}\n"})) == told
+
+
+SHARED = """from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch_ros.substitutions import FindPackageShare
+
+def generate_launch_description():
+    robot, settings = FindPackageShare('robot'), {'rate': '2', 'mode': 'fast'}
+    return LaunchDescription([
+        IncludeLaunchDescription([robot, '/launch/laser.launch.xml'], launch_arguments=settings.items()),
+        IncludeLaunchDescription([robot, '/launch/filter.launch.xml'], launch_arguments=settings.items()),
+    ])
+"""
+
+
+@pytest.mark.parametrize(("declared", "names"), [(("rate", "mode"), set()), (("rate",), {"mode"})])
+def test_a_dict_that_two_includes_share(findings, declared: tuple[str, ...], names: set[str]):
+    """What one of them takes is no slip where the other one gets it, too."""
+    takes = "".join(f'<arg name="{name}" default="1"/>' for name in declared)
+    files = {
+        "launch/both.launch.py": SHARED,
+        "launch/laser.launch.xml": f"<launch>{takes}</launch>",
+        "launch/filter.launch.xml": "<launch><arg name='other' default='1'/></launch>",
+    }
+    found = findings("LCH003", **files)
+    assert {name for one in found for name in one.identity if "/" not in name} == names
+
+
 def test_what_the_top_declares_reaches_files_two_includes_down(findings):
     """A file in the middle that is started alone lacks the argument; what includes it has it."""
     middle = '<launch><include file="$(dirname)/inner.launch.xml"/></launch>'

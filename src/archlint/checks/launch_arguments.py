@@ -22,6 +22,7 @@ from archlint.launch_files.launch_code import may_read_argument
 from archlint.launch_files.misread_arguments import MisreadArgument, misread_arguments
 from archlint.launch_files.substitution_values import is_chosen_in_vain
 from archlint.launch_files.unread_arguments import all_readers_are_known, unread_argument_meant
+from archlint.packaging.run_commands import is_told_to_set
 from archlint.suggestions import did_you_mean, listed
 
 if TYPE_CHECKING:
@@ -123,6 +124,8 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         if use.conditional or (alone and system.is_included) or use.name in reported:
             continue  # whoever includes it may pass it: that system reports it
         if alone and system.workspace is not None and _comes_from_others(system.workspace, use):
+            continue
+        if system.workspace is not None and is_told_to_set(system.workspace, launched.file, use.name):
             continue
         if not alone and system.is_included and _is_set_above(system.workspace, launched, use):
             continue
@@ -314,6 +317,7 @@ def _unknown_arguments(
         for name, place in given.items()
         if name not in declared
         and place not in launched.reach_later
+        and not _is_shared(workspace, launched, includes, name, place)
         and name not in read
         and not any((include.file, name) in launched.set_by_includes for include in includes)
         and not any(may_read_argument(workspace, file, name) for file in files)
@@ -322,6 +326,20 @@ def _unknown_arguments(
         diagnostic = _finding(sources, unknown, given, declared)
         read_on = {name: launched.read_on[given[name]] for name in unknown if given[name] in launched.read_on}
         yield _not_scoped(diagnostic, read_on) if read_on else diagnostic
+
+
+def _is_shared(
+    workspace: WorkspaceIndex, launched: Launched, includes: Sequence[Included], name: str, place: Place
+) -> bool:
+    """Whether an argument stands in a dict that another include is given, too, which takes it or may do so."""
+    for include in launched.included:
+        if include in includes or (name, place) not in include.arguments:
+            continue
+        source = include.reference.source
+        target = None if source is None else workspace.launched_alone[source]
+        if target is None or name in target.read or any(argument.name == name for argument in target.declared):
+            return True
+    return False
 
 
 def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], declared: list[str]) -> Finding:

@@ -1,4 +1,4 @@
-"""What the documents and scripts of a workspace say to start by ``ros2 run``."""
+"""What the documents and scripts of a workspace say to start by ``ros2 run`` and ``ros2 launch``."""
 
 from __future__ import annotations
 
@@ -29,6 +29,26 @@ def told_to_run(workspace: WorkspaceIndex) -> Mapping[tuple[str, str], Place]:
 
 
 @once
+def _told_arguments(workspace: WorkspaceIndex) -> Mapping[str, frozenset[str]]:
+    """The launch arguments that each ``ros2 launch`` sets, by the last part of the file's name."""
+    rows: dict[str, frozenset[str]] = {}
+    for text in documents(workspace).values():
+        for call in _LAUNCH.finditer(text.replace("\\\n", " ")):
+            name = posixpath.basename(call[1])
+            rows[name] = rows.get(name, frozenset()) | frozenset(_ARGUMENT.findall(call[2]))
+    return rows
+
+
+_LAUNCH = re.compile(r"\bros2[ \t]+launch[ \t]+(?:[\w-]+[ \t]+)?([\w./~-]+)([^\n]*)")
+_ARGUMENT = re.compile(r"(?<=\s)([\w-]+):=")
+
+
+def is_told_to_set(workspace: WorkspaceIndex, file: str, argument: str) -> bool:
+    """Whether a document or script sets an argument on the command line of a launch file."""
+    return argument in _told_arguments(workspace).get(posixpath.basename(file), ())
+
+
+@once
 def documents(workspace: WorkspaceIndex) -> Mapping[str, str]:
     """The texts of the documents and scripts of a workspace, by their paths, in the order of these."""
     paths = sorted(workspace.tree.files_below(workspace.tree.top))
@@ -36,4 +56,4 @@ def documents(workspace: WorkspaceIndex) -> Mapping[str, str]:
     return {path: text for path, text in texts if text is not None}
 
 
-__all__ = ["documents", "told_to_run"]
+__all__ = ["documents", "is_told_to_set", "told_to_run"]
