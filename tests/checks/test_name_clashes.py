@@ -146,6 +146,20 @@ def test_name_renames_all_nodes_of_an_executable(findings):
     assert findings("NME004", node(), **{"robot/talker.py": two}) == []  # the advice works
 
 
+def test_the_names_that_one_action_doubles_in_several_namespaces_are_one_finding(findings):
+    more = "Talker())\n    " + "\n    ".join(
+        f"rclpy.spin(rclpy.create_node('{name}', namespace='arm'))" for name in ("helper", "planner")
+    )
+    more += "\n    rclpy.spin(rclpy.create_node('watcher'))"
+    talker = TALKER.replace("Talker())", more)
+    (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": talker})
+    assert found.message == (
+        "name= renames every node of this executable, so several have the name '/arm/it'; so it is with '/it'"
+    )
+    assert len(found.related) == 4
+    assert findings("NME004", node(), **{"robot/talker.py": talker}) == []  # the advice works
+
+
 LISTENER = """
 import rclpy
 from rclpy.node import Node

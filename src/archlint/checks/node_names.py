@@ -36,15 +36,18 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
         return
     included: dict[Again, list[Twins]] = {}
     of_actions: dict[tuple[int, int], list[Twins]] = {}
+    of_process: dict[tuple[int, str | None, Severity], list[Finding]] = {}
     for twins in _twins(system):
         node, other = twins
         again = None if node.started is other.started else included_twice(node.started, other.started)
         if again is not None:
             included.setdefault(again, []).append(twins)
         elif node.started is other.started:
-            yield from _of_one_process(system, *twins)
+            for told in _of_one_process(system, *twins):
+                of_process.setdefault((id(node.started), told.help, told.severity), []).append(told)
         else:
             of_actions.setdefault((id(node.started), id(other.started)), []).append(twins)
+    yield from map(_with_all_names, of_process.values())
     for several in of_actions.values():
         yield from _of_two_actions(system, several)
     yield from of_includes(included, system.nodes)
@@ -317,6 +320,17 @@ def _of_one_process(system: System, first: Node, other: Node) -> Iterator[Findin
         group=(_OF_PROCESS, *(str(node.blueprint.place) for node in (first, other) if node.blueprint is not None)),
     )
     yield diagnostic if sure else replace(diagnostic, severity=Severity.INFO)
+
+
+def _with_all_names(several: Sequence[Finding]) -> Finding:
+    """One finding for all names that nodes of one process share, in several namespaces say: one edit parts them."""
+    first, *others = several
+    if not others:
+        return first
+    names = ", ".join(f"'{other.node}'" for other in others)
+    related = dict.fromkeys(row for each in several for row in each.related)
+    identity = tuple(name for each in several for name in each.identity)
+    return replace(first, message=f"{first.message}; so it is with {names}", related=tuple(related), identity=identity)
 
 
 def _unrenamed(system: System, node: Node) -> str:
