@@ -10,6 +10,7 @@ from archlint.finding import Severity
 from robot_package import CMAKE, MANIFEST, SCRIPTS, SETUP, SETUP_CFG, TALKER, node
 
 LEFT_OVER = "remove the entry: it has no module, and no launch file starts it"
+NEAREST = "write '{} = robot.talker:main': of the modules that no entry names, this one has the nearest name"
 TALKER_IS_LEFT = (
     "write '{} = robot.talker:main': of the modules that no entry names, only this one has a function 'main'"
 )
@@ -256,13 +257,13 @@ def test_a_node_action_without_a_package_needs_none(findings):
             "module 'robot.tlker' does not exist; did you mean 'robot.talker'?",
             "write 'tower = robot.talker:main'",
         ),
-        ("robot.b", "module 'robot.b' does not exist", TALKER_IS_LEFT.format("tower")),
+        ("robot.b", "module 'robot.b' does not exist", LEFT_OVER),
         (
             "robot.robot_arm_talker",
             "module 'robot.robot_arm_talker' does not exist; did you mean 'robot.talker'?",
             "write 'tower = robot.talker:main'",
         ),
-        ("robot.robot_a", "module 'robot.robot_a' does not exist", TALKER_IS_LEFT.format("tower")),
+        ("robot.robot_a", "module 'robot.robot_a' does not exist", LEFT_OVER),
         (
             "robt.talker",
             "module 'robt.talker' does not exist; did you mean 'robot.talker'?",
@@ -283,7 +284,7 @@ def test_a_module_without_the_function_is_not_the_one_that_was_meant(findings, t
     entry = SETUP.replace("talker = robot.talker:main", "tower = robot.visualizer:main")
     (found,) = findings("PKG002", **{"setup.py": entry, "robot/visualiser.py": text})
     assert ("did you mean 'robot.visualiser'?" in found.message) == said
-    assert found.help == ("write 'tower = robot.visualiser:main'" if said else TALKER_IS_LEFT.format("tower"))
+    assert found.help == ("write 'tower = robot.visualiser:main'" if said else LEFT_OVER)
 
 
 @pytest.mark.parametrize(
@@ -294,26 +295,56 @@ def test_the_module_with_the_name_of_the_executable_was_meant(findings, text: st
     entry = SETUP.replace("talker = robot.talker:main", "tuner = robot.publisher:main")
     (found,) = findings("PKG002", **{"setup.py": entry, "robot/tuner.py": text})
     assert ("did you mean 'robot.tuner'?" in found.message) == said
-    assert found.help == ("write 'tuner = robot.tuner:main'" if said else TALKER_IS_LEFT.format("tuner"))
+    assert found.help == ("write 'tuner = robot.tuner:main'" if said else LEFT_OVER)
+
+
+WALKER = "def main():\n    print('on')\n"
 
 
 @pytest.mark.parametrize(
-    ("files", "entries", "help"),
+    ("entry", "files", "entries", "help"),
     [
-        ({}, "", TALKER_IS_LEFT.format("tower")),
-        ({"robot/walker.py": "def main():\n    print('on')\n"}, "", LEFT_OVER),
-        ({}, ", 'talker = robot.talker:main'", LEFT_OVER),
-        ({"robot/talker.py": "def talk():\n    print('on')\n"}, "", LEFT_OVER),
+        ("tower = robot.gone_talker_of_may", {}, "", TALKER_IS_LEFT.format("tower")),
+        ("talker_demo = robot.gone", {}, "", TALKER_IS_LEFT.format("talker_demo")),
+        ("tower = robot.gone_since_may", {}, "", LEFT_OVER),
+        ("tower = robot.gone_since_may", {"robot/talker.py": f"{WALKER}#tower\nTOWER = 'tower'\n"}, "", "tower"),
+        ("tower = robot.gone_talker_of_may", {"robot/walker.py": WALKER}, "", NEAREST.format("tower")),
+        ("tower = robot.gone_talker_of_may", {"robot/talker_of_june.py": WALKER}, "", LEFT_OVER),
+        ("tower = robot.gone_talker_of_may", {}, ", 'talker = robot.talker:main'", LEFT_OVER),
+        ("tower = robot.gone_talker_of_may", {"robot/talker.py": WALKER.replace("main", "talk")}, "", LEFT_OVER),
     ],
-    ids=["one is left", "two are left", "another entry names it", "it has no such function"],
+    ids=[
+        "its module is like it",
+        "its name is like it",
+        "nothing is like it",
+        "its code names it",
+        "of two one is like it",
+        "two are like it",
+        "another entry names it",
+        "it has no such function",
+    ],
 )
-def test_the_only_module_left_that_has_the_function(findings, files: dict[str, str], entries: str, help: str):
-    setup = SETUP.replace("'talker = robot.talker:main'", f"'tower = robot.gone_since_may:main'{entries}")
+def test_the_module_left_that_has_the_function(findings, entry: str, files: dict[str, str], entries: str, help: str):
+    name, module = entry.split(" = ")
+    setup = SETUP.replace("'talker = robot.talker:main'", f"'{entry}:main'{entries}")
     (found,) = findings("PKG002", **{"setup.py": setup, **files})
     assert (found.message, found.help) == (
-        "the executable 'tower' cannot start: module 'robot.gone_since_may' does not exist",
-        help,
+        f"the executable '{name}' cannot start: module '{module}' does not exist",
+        TALKER_IS_LEFT.format(help) if help == name else help,
     )
+
+
+def test_two_modules_are_left_for_two_entries(findings):
+    entries = "'picture_maker = robot.picture_maker:main', 'camera_sender = robot.camera_sender:main'"
+    setup = SETUP.replace("'talker = robot.talker:main'", entries)
+    found = findings("PKG002", **{"setup.py": setup, "robot/picture_all.py": WALKER, "robot/camera_all.py": WALKER})
+    assert [one.help for one in found] == [
+        f"write '{name} = robot.{module}:main': of the modules that no entry names, this one has the nearest name"
+        for name, module in (("picture_maker", "picture_all"), ("camera_sender", "camera_all"))
+    ]
+    same = {"robot/camera_all.py": WALKER, "robot/talker.py": ""}
+    found = findings("PKG002", **{"setup.py": setup.replace("picture", "camera"), **same})
+    assert not any("nearest name" in (one.help or "") or "only this one" in (one.help or "") for one in found)
 
 
 def test_what_the_only_module_left_is_named_for_where_the_module_has_no_function_at_all(findings):

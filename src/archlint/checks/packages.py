@@ -16,7 +16,7 @@ from archlint.finding import Finding, Related, Severity
 from archlint.launch_files.launch_code import started_programs
 from archlint.packaging.entry_points import NeverAwaited, NoFunction, NoFunctionNamed, NoModule, broken_target
 from archlint.packaging.left_out_code import is_entry_left_out
-from archlint.packaging.modules_meant import folder_to_rename, only_module_left, target_meant
+from archlint.packaging.modules_meant import ModuleLeft, folder_to_rename, module_left, target_meant
 from archlint.packaging.webots_plugins import loaded_by_webots
 from archlint.suggestions import did_you_mean, listed, meant, nearest
 
@@ -113,7 +113,7 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             hint = did_you_mean(function, names)
             otherwise = "use a function that it has" if has_others else "remove the entry: it has no function at all"
             help = f"define '{function}' in the module, or {otherwise}"
-            left = None if has_others else only_module_left(workspace, executable)
+            left = None if has_others else module_left(workspace, executable)
             if left is not None:
                 help, group = _name_it(executable, left), ()
             if near is not None:
@@ -134,17 +134,18 @@ def _without_module(workspace: WorkspaceIndex, executable: Executable) -> str:
     """What to do about an entry whose module is nowhere: one that no launch file starts is left over."""
     if (executable.package, executable.name) in started_programs(workspace):
         return "add the module, or remove the entry"
-    left = only_module_left(workspace, executable)
+    left = module_left(workspace, executable)
     return _LEFT_OVER if left is None else _name_it(executable, left)
 
 
-_NAME_IT = "of the modules that no entry names, only this one"
+_NAME_IT = "of the modules that no entry names"
 
 
-def _name_it(executable: Executable, module: str) -> str:
+def _name_it(executable: Executable, left: ModuleLeft) -> str:
     """Advice to start the one module that may have been meant."""
     function = executable.function or "main"
-    return f"write '{executable.name} = {module}:{function}': {_NAME_IT} has a function '{function}'"
+    why = f"only this one has a function '{function}'" if left.alone else "this one has the nearest name"
+    return f"write '{executable.name} = {left.name}:{function}': {_NAME_IT}, {why}"
 
 
 _LEFT_OVER = "remove the entry: it has no module, and no launch file starts it"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+import re
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.packaging.entry_points import NoModule, broken_target
@@ -24,6 +25,14 @@ class Meant:
     target: str
 
 
+@dataclass(frozen=True)
+class ModuleLeft:
+    """A module that no entry starts, and whether there is no other one with the function."""
+
+    name: str
+    alone: bool
+
+
 def target_meant(workspace: WorkspaceIndex, executable: Executable) -> Meant | None:
     """What an entry whose module is not there was meant to start; None where that is not known.  Of several such
     entries for which the same one would do, it is that of the entry with the most similar name."""
@@ -39,16 +48,44 @@ def target_meant(workspace: WorkspaceIndex, executable: Executable) -> Meant | N
     return likely
 
 
-def only_module_left(workspace: WorkspaceIndex, executable: Executable) -> str | None:
-    """The only module of the package that defines the function of a broken entry and that no entry starts; None where
-    another entry is broken, too, and may have been meant for it."""
-    entries = [each for each in workspace.installs[executable.package].executables.values() if each.module]
-    if any(each is not executable and broken_target(workspace, each) is not None for each in entries):
+def module_left(workspace: WorkspaceIndex, executable: Executable) -> ModuleLeft | None:
+    """The module of the package that defines the function of a broken entry, that no entry starts, and that alone is
+    like what the entry names; None where another broken entry may be meant for it."""
+    near = _like(workspace, executable, _that_are_left(workspace, executable))
+    if len(near) != 1 or near[0] == executable.module:
         return None
+    for other in workspace.installs[executable.package].executables.values():
+        if other.module is None or other.module == executable.module or broken_target(workspace, other) is None:
+            continue
+        if near[0] in _like(workspace, other, _that_are_left(workspace, other)):
+            return None
+    return ModuleLeft(near[0], len(_that_are_left(workspace, executable)) == 1)
+
+
+def _that_are_left(workspace: WorkspaceIndex, executable: Executable) -> list[str]:
     known, function = workspace.code.modules_of(executable.package), executable.function or "main"
     left = _that_start(workspace, executable, executable.module or "", known)
-    having = [name for name in left if _defines(workspace, executable, name, function)]
-    return having[0] if len(having) == 1 and having[0] != executable.module else None
+    return [name for name in left if _defines(workspace, executable, name, function)]
+
+
+def _like(workspace: WorkspaceIndex, executable: Executable, names: Sequence[str]) -> list[str]:
+    """The modules that share a word with the name of a broken entry, or of its module, or have it in their code."""
+    modules = workspace.code.modules_of(executable.package)
+    wanted = {executable.name, (executable.module or "").rpartition(".")[2]}
+    words = {word for name in wanted for word in _telling_words(name)}
+    return [
+        name
+        for name in names
+        if words & _telling_words(name.rpartition(".")[2])
+        or any(workspace.code.mentions(modules[name], each) for each in wanted)
+    ]
+
+
+def _telling_words(name: str) -> set[str]:
+    return {word for word in re.split(r"[^a-z]+", name.lower()) if len(word) > 2} - _SAY_NOTHING
+
+
+_SAY_NOTHING = frozenset({"main", "node", "nodes", "ros", "run", "script", "test"})
 
 
 def is_called_in_its_code(workspace: WorkspaceIndex, package: str, folder: str, name: str) -> bool:
@@ -180,4 +217,4 @@ def _may_offer(workspace: WorkspaceIndex, package: str, module: str, function: s
     return path is None or workspace.code.mentions(path, function.partition(".")[0])
 
 
-__all__ = ["Meant", "folder_to_rename", "is_called_in_its_code", "only_module_left", "target_meant"]
+__all__ = ["Meant", "ModuleLeft", "folder_to_rename", "is_called_in_its_code", "module_left", "target_meant"]
