@@ -980,6 +980,21 @@ def test_a_repository_of_another_name_may_bring_any_package(lint: Lint, files: d
     assert told.help == help
 
 
+@pytest.mark.parametrize(
+    ("tag", "help"),
+    [
+        ("<exec_depend>base_board</exec_depend>", "declare it in package.xml if it comes from where 'base_board' does"),
+        ("<buildtool_depend>ament_python</buildtool_depend>", "correct the name, or declare it in package.xml and say"),
+    ],
+)
+def test_what_builds_a_package_is_from_nowhere(lint: Lint, tag: str, help: str):
+    """``ament_python`` is no package, and no project that brings others."""
+    files = launching(started("secret_driver"))
+    [path] = [name for name in files if name.endswith("package.xml")]
+    (told,) = lint(files | {path: files[path].replace("  <export>", f"  {tag}\n  <export>")})
+    assert (told.help or "").startswith(help)
+
+
 def test_a_repository_that_is_here_brings_no_other_package(lint: Lint):
     listed = {"all.repos": "repositories:\n  secret_driver:\n    type: git\n    url: https://example.org/it.git\n"}
     here = {"others/secret_driver/package.xml": manifest("secret4_driver")}

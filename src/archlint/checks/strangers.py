@@ -61,7 +61,7 @@ def strangers(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]) 
     ]
     told = _told_lines(workspace) if names else set()
     declared = absent_dependencies_of(workspace, package)
-    absent = [name for name in declared if mistaken(name, (), is_python=True) is None]
+    absent = [name for name in declared if name not in _TOOLS and mistaken(name, (), is_python=True) is None]
     brought = any(name.endswith(_BRING_OTHERS) for name in absent)
     optional = _optional_files(workspace, names, by_name)
     rows = {
@@ -79,6 +79,8 @@ def strangers(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]) 
         yield _finding(package, named, list_of_repositories(workspace), absent[:1])
 
 
+_TOOLS = frozenset({"ament_cmake", "ament_python", "catkin", "cmake", "setuptools"})
+"""What manifests have as a tool to build with, be it no package: no project brings these."""
 _BRING_OTHERS = ("_bringup", "_launch")
 """How packages end that are there to bring others and start them."""
 _AT_LAUNCH: frozenset[How] = frozenset({"includes a launch file of", "starts a node of", "takes files of"})
