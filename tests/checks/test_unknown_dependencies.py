@@ -87,7 +87,7 @@ def test_what_is_known_or_may_be(judge: Judge, tag: str):
         ("<exec_depend>python3-hid</exec_depend>", "write 'python3-hidapi' instead"),  # as Debian calls it
         ("<depend>libeigen3-dev</depend>", "write 'eigen' instead"),
         ("<depend>libyaml-cpp-dev</depend>", "write 'yaml-cpp' instead"),
-        ("<depend>opencv4</depend>", "write 'libopencv-dev' instead"),
+        ("<depend>opencv4</depend>", "write 'python3-opencv' instead"),
         ("<depend>eigen3</depend>", "write 'eigen' instead"),
         ("<depend>nlohmann_json</depend>", "write 'nlohmann-json-dev' instead"),
         ("<test_depend>pytest</test_depend>", "write 'python3-pytest' instead"),
@@ -181,7 +181,9 @@ def test_the_library_that_the_code_of_the_package_uses(judge: Judge, tag: str, f
 
 def test_opencv_is_what_the_code_of_the_package_uses(judge: Judge):
     (of_python,) = judge("<depend>opencv</depend>", **{"robot/node.py": "import cv2\nimport rclpy\n"})
-    (of_cpp,) = judge("<depend>opencv</depend>", **{"robot/node.py": "import rclpy\n"})
+    (of_no_use,) = judge("<depend>OpenCV</depend>", **{"robot/node.py": "import rclpy\n"})
+    assert of_no_use.help == "write 'python3-opencv' instead"  # nothing but Python is built
+    (of_cpp,) = judge("<depend>opencv</depend>", build="ament_cmake", **{"robot/node.py": "import rclpy\n"})
     assert (of_python.help, of_cpp.help) == ("write 'python3-opencv' instead", "write 'libopencv-dev' instead")
     both = {"robot/node.py": "import cv2\nimport rclpy\n", "CMakeLists.txt": "find_package(OpenCV REQUIRED)\n"}
     (of_cmake,) = judge("<depend>opencv</depend>", build="ament_cmake", **both)

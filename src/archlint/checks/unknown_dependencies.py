@@ -88,6 +88,7 @@ def _unknown(
         return
     meant = meant or _imported(workspace, package, name, there)
     meant = _PYTHON if meant == _CPP and _is_rclpy(workspace, package, dependency) else meant
+    meant = "python3-opencv" if is_python and meant == "libopencv-dev" else meant
     is_python = is_python or (
         imports_beside_nodes(workspace, package, name) and not _by_cmake(workspace, package, name)
     )
@@ -191,6 +192,8 @@ def _is_of_python(workspace: WorkspaceIndex, package: Package, name: str) -> boo
     """Whether Python code of a package has a name in it, and its CMake files do not."""
     if _by_cmake(workspace, package, name):
         return False
+    if "opencv" in name.lower() and package.build_type == "ament_python":
+        return True  # whether or not its code uses that already
     words = {name, "cv2"} if "opencv" in name.lower() else modules_of_pip(name)
     return name.startswith("python") or any(
         workspace.code.mentions(path, word) for path in workspace.code.files_of(package.name) for word in words
