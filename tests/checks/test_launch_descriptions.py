@@ -89,6 +89,20 @@ def test_what_a_node_is_given(findings, given, message):
 
 
 @pytest.mark.parametrize(
+    ("package", "help"),
+    [
+        ("robot", "move it to parameters=: here its keys alone become words of the command line"),
+        ("rqt_plot", "write its values as texts of the list: here its keys alone become words of the command line"),
+    ],
+)
+def test_a_dict_among_the_arguments(findings, package: str, help: str):
+    """A program of rqt has no parameters."""
+    other = f"other = Node(package='{package}', executable='it', arguments=[{{'args': '/speed/data'}}])"
+    (told,) = findings("LCH008", **_file(f"{other}\n    return LaunchDescription([talker, other])"))
+    assert told.help == help
+
+
+@pytest.mark.parametrize(
     ("rest", "message"),
     [
         (

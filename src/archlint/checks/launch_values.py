@@ -304,6 +304,7 @@ def _said(wrong: WrongDescription) -> tuple[str, str]:
 
 _IN_LIST = {
     "a text": "move it to parameters=: here its keys alone become words of the command line",
+    "texts alone": "write its values as texts of the list: here its keys alone become words of the command line",
     "actions": "put the actions themselves into the list",
     "each file by itself": "remove the braces, so that each file is an item of the list",
 }

@@ -216,7 +216,10 @@ class _Code:
         for call in everything_in(self.body, facts.Call):
             kind = self.made(call)
             if kind in _NODES:
-                yield from (w for a in call.args if a.keyword for w in _argument_of_node(kind, a.keyword, a.value))
+                package = next((a.value.text for a in call.args if a.keyword == "package"), None) or ""
+                for a in call.args:
+                    if a.keyword:
+                        yield from _argument_of_node(kind, a.keyword, a.value, package)
             elif kind == "LaunchDescription" and call.args and not call.args[0].star:
                 yield from self._entities(call.args[0].value)
             match call.func:
@@ -354,7 +357,7 @@ def _instead_of_set(items: Sequence[facts.Expr]) -> str:
     return "each file by itself" if any(text.endswith((".yaml", ".yml")) for text in texts) else "{'name': value}"
 
 
-def _argument_of_node(class_name: str, keyword: str, value: facts.Expr) -> Iterator[WrongDescription]:
+def _argument_of_node(class_name: str, keyword: str, value: facts.Expr, package: str) -> Iterator[WrongDescription]:
     """What a node is given as a list of parameters, remappings or arguments that is none."""
     what, of = _display(value), f"{keyword}= of {class_name}"
     match keyword, value:
@@ -377,7 +380,12 @@ def _argument_of_node(class_name: str, keyword: str, value: facts.Expr) -> Itera
             yield WrongDescription(Wrong.NO_LIST, value.span, what, of, "a list")
         case "arguments", facts.Sequence(elements=elements):
             dicts = (element for element in elements if isinstance(element, facts.Mapping))
-            yield from (WrongDescription(Wrong.IN_LIST, each.span, "a dict", of, "a text") for each in dicts)
+            wanted = "texts alone" if package.startswith(_WITHOUT_PARAMETERS) else "a text"
+            yield from (WrongDescription(Wrong.IN_LIST, each.span, "a dict", of, wanted) for each in dicts)
+
+
+_WITHOUT_PARAMETERS = ("rqt", "rviz")
+"""How the packages of programs begin that take nothing but their command line: they declare no parameters."""
 
 
 __all__ = ["ACTIONS", "misnamed_functions", "wrong_descriptions"]
