@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -12,8 +12,9 @@ from archlint.launch_files.well_known_includes import unknown_to_includes
 from archlint.suggestions import meant, nearest
 
 if TYPE_CHECKING:
-    from archlint.launch.model import Launched
+    from archlint.launch.model import Included, Launched
     from archlint.launch_files.well_known_includes import UnknownToInclude
+    from archlint.place import Place
     from archlint.systems.model import WorkspaceIndex
 
 PASSED_TO_ALL = frozenset({"use_sim_time"})
@@ -67,4 +68,18 @@ def _meant(name: str, taken: Collection[str], switches: Collection[str]) -> str:
     return nearest(name, taken) or (longer[0] if len(longer) == 1 else "")
 
 
-__all__ = ["PASSED_TO_ALL", "unknown_elsewhere"]
+def is_shared(
+    workspace: WorkspaceIndex, launched: Launched, includes: Sequence[Included], name: str, place: Place
+) -> bool:
+    """Whether an argument stands in a dict that another include is given, too, which takes it or may do so."""
+    for include in launched.included:
+        if include in includes or (name, place) not in include.arguments:
+            continue
+        source = include.reference.source
+        target = None if source is None else workspace.launched_alone[source]
+        if target is None or name in target.read or any(argument.name == name for argument in target.declared):
+            return True
+    return False
+
+
+__all__ = ["PASSED_TO_ALL", "is_shared", "unknown_elsewhere"]

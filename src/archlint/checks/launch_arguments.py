@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.checks.folding import folds, with_places
-from archlint.checks.includes_elsewhere import PASSED_TO_ALL, unknown_elsewhere
+from archlint.checks.includes_elsewhere import PASSED_TO_ALL, is_shared, unknown_elsewhere
 from archlint.checks.late_declarations import LATE, late_declaration
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -317,7 +317,7 @@ def _unknown_arguments(
         for name, place in given.items()
         if name not in declared
         and place not in launched.reach_later
-        and not _is_shared(workspace, launched, includes, name, place)
+        and not is_shared(workspace, launched, includes, name, place)
         and name not in read
         and not any((include.file, name) in launched.set_by_includes for include in includes)
         and not any(may_read_argument(workspace, file, name) for file in files)
@@ -326,20 +326,6 @@ def _unknown_arguments(
         diagnostic = _finding(sources, unknown, given, declared)
         read_on = {name: launched.read_on[given[name]] for name in unknown if given[name] in launched.read_on}
         yield _not_scoped(diagnostic, read_on) if read_on else diagnostic
-
-
-def _is_shared(
-    workspace: WorkspaceIndex, launched: Launched, includes: Sequence[Included], name: str, place: Place
-) -> bool:
-    """Whether an argument stands in a dict that another include is given, too, which takes it or may do so."""
-    for include in launched.included:
-        if include in includes or (name, place) not in include.arguments:
-            continue
-        source = include.reference.source
-        target = None if source is None else workspace.launched_alone[source]
-        if target is None or name in target.read or any(argument.name == name for argument in target.declared):
-            return True
-    return False
 
 
 def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], declared: list[str]) -> Finding:
