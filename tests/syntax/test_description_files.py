@@ -22,12 +22,18 @@ TEXT = """\
 
 
 def test_what_is_read_for_certain():
-    named = [(row.package, row.path, row.span[0], row.included) for row in files_named(TEXT)]
+    named = [(row.package, row.path, row.span[0], row.included) for row in files_named(TEXT) if not row.perhaps]
     assert named == [
         ("robot", "/urdf/wheel.xacro", 3, True),
         (None, "parts/arm.xacro", 4, True),
         ("robot", "/meshes/a.stl", 11, False),
     ]
+
+
+def test_what_stands_in_a_condition_that_may_hold():
+    assert [(row.path, row.span[0]) for row in files_named(TEXT) if row.perhaps] == [("camera.xacro", 9)]
+    never = TEXT.replace('value="$(arg camera)"', 'value="false"')
+    assert [row.path for row in files_named(never) if row.perhaps] == []
 
 
 def test_the_place_of_a_file():
