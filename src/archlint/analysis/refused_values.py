@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once_for_each_file
 from archlint.syntax import facts
-from archlint.syntax.flow_facts import covers
+from archlint.syntax.flow_facts import conditions_of, covers
 from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
@@ -30,26 +29,14 @@ def _asked(file_facts: facts.Facts) -> list[tuple[facts.Base, int]]:
     tests: dict[str, int] = {}
     for choice in everything_in(file_facts.body, facts.If):
         if any(isinstance(statement, facts.Raise) for block in choice.blocks for statement in block):
-            for name in _operands(choice.test):
-                tests.setdefault(name, choice.span[0])
+            for condition in conditions_of(choice.test):
+                tests.setdefault(condition.dotted, choice.span[0])
     return [
         (assignment, tests[target.dotted])
         for assignment in everything_in(file_facts.body, facts.Assign)
         for target in assignment.targets
-        if target.dotted in tests
+        if target.dotted and target.dotted in tests
     ]
-
-
-def _operands(test: facts.Expr) -> Iterator[str]:
-    """The names whose truth a test asks for."""
-    match test:
-        case facts.Unary(op="not", operand=operand):
-            yield from _operands(operand)
-        case facts.Boolean(values=values):
-            for value in values:
-                yield from _operands(value)
-        case facts.Name() | facts.Attribute() if test.dotted:
-            yield test.dotted
 
 
 __all__ = ["raises_by_truth"]

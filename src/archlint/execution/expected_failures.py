@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
+from archlint.syntax.flow_facts import conditions_of
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import is_none, statements_of
 
@@ -44,16 +45,12 @@ def _asked(value: facts.Expr) -> str:
 
 def _of_test(test: facts.Expr) -> Iterator[str]:
     """What a condition asks whether it is there."""
-    match test:
-        case facts.Unary(op="not", operand=operand):
-            yield from _of_test(operand)
-        case facts.Boolean(values=values):
-            for value in values:
-                yield from _of_test(value)
-        case facts.Compare(left=left, comparators=[other]) if is_none(other):
-            yield _asked(left)
-        case _:
-            yield _asked(test)
+    for condition in conditions_of(test):
+        match condition:
+            case facts.Compare(left=left, comparators=[other]) if is_none(other):
+                yield _asked(left)
+            case _:
+                yield _asked(condition)
 
 
 __all__ = ["expects_no_answer"]

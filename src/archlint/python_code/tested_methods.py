@@ -6,8 +6,8 @@ Any function is true.  So are the methods of a future and of a client.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
+from collections.abc import Iterator, Mapping
+from itertools import chain, pairwise
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -18,6 +18,7 @@ from archlint.python_code.own_calls import method_meant
 from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
+from archlint.syntax.flow_facts import conditions_of
 from archlint.syntax.parts import Itself, everything_in, parts_of
 from archlint.syntax.walk import blocks_of, is_none
 
@@ -177,21 +178,10 @@ def _tested(part: facts.Base) -> Iterator[facts.Expr]:
     """The expressions of whose truth a piece of code makes a condition."""
     match part:
         case facts.If(test=test) | facts.While(test=test) | facts.Assert(test=test) | facts.Conditional(test=test):
-            yield from _operands([test])
+            yield from conditions_of(test)
         case facts.Comprehension(generators=generators):
             for generator in generators:
-                yield from _operands(generator.conditions)
-
-
-def _operands(tests: Sequence[facts.Expr]) -> Iterator[facts.Expr]:
-    for test in tests:
-        match test:
-            case facts.Unary(op="not", operand=operand):
-                yield from _operands([operand])
-            case facts.Boolean(values=values):
-                yield from _operands(values)
-            case _:
-                yield test
+                yield from chain.from_iterable(map(conditions_of, generator.conditions))
 
 
 def _calls(part: facts.Base, dotted: str) -> bool:

@@ -35,6 +35,18 @@ def outcome(test: facts.Expr, of_rest: Callable[[facts.Expr], bool | None]) -> b
     return of_rest(test)
 
 
+def conditions_of(test: facts.Expr) -> Iterator[facts.Expr]:
+    """The conditions that a test asks for, whatever ``not``, ``and`` and ``or`` make of them."""
+    match test:
+        case facts.Unary(op="not", operand=operand):
+            yield from conditions_of(operand)
+        case facts.Boolean(values=values):
+            for value in values:
+                yield from conditions_of(value)
+        case _:
+            yield test
+
+
 def covers(fact: facts.Base, span: facts.Span) -> bool:
     """Whether a place is inside of what a fact is written in."""
     around: facts.Span = getattr(fact, "span", (0, 0, 0, 0))
