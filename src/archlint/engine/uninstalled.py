@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import posixpath
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
@@ -13,7 +14,7 @@ from archlint.analysis.aside import is_not_installed
 from archlint.analysis.kept import kept
 from archlint.checks.folding import all_sites, with_others
 from archlint.checks.registry import registered
-from archlint.engine.unused_files import is_named
+from archlint.engine.unused_files import named_files
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.absent_packages import is_from_nowhere
 from archlint.packaging.missing_imports import missing_imports
@@ -78,12 +79,15 @@ def without_waits(
     """The findings but for those about waits and sleeps in some files, and these: who starts such a file by its path
     sees that it waits, and ends it.  All where the settings want all files shown, or the run was asked about a file by
     its name."""
+    if request.settings.unused_files:
+        return list(findings), []
     shown: list[Finding] = []
     hidden: list[Finding] = []
+    named = named_files(request)
     for each in findings:
         file = each.place.file
         waits = file in files and each.code.startswith(_OF_WAITS)
-        (hidden if waits and not request.settings.unused_files and not is_named(request, file) else shown).append(each)
+        (hidden if waits and os.path.abspath(file) not in named else shown).append(each)
     return shown, hidden
 
 

@@ -25,17 +25,18 @@ def unused_files(index: WorkspaceIndex, findings: Iterable[Finding], request: Re
     if request.settings.unused_files:
         return frozenset()
     every = list(findings)
+    named = named_files(request)
     told = [finding for finding in every if _is_of_what_runs(finding)]
     files = {file for finding in told for file in (finding.place.file, *_others_of(finding))}
     unread = {finding.place.file for finding in told if finding.code == "LNT002"}
     unused = (file for file in files if nothing_runs(index, file) or (file in unread and _is_left(index, file)))
     whole = {finding.place.file for finding in every if is_in_disused_package(index, finding.place.file)}
-    return frozenset(file for file in (*unused, *whole) if not is_named(request, file))
+    return frozenset(file for file in (*unused, *whole) if os.path.abspath(file) not in named)
 
 
-def is_named(request: Request, file: str) -> bool:
-    """Whether a run was asked about a file by its name."""
-    return any(os.path.abspath(path) == os.path.abspath(file) for path in request.paths)
+def named_files(request: Request) -> frozenset[str]:
+    """What a run was asked about, by absolute paths."""
+    return frozenset(map(os.path.abspath, request.paths))
 
 
 def _is_left(index: WorkspaceIndex, file: str) -> bool:
@@ -98,4 +99,4 @@ def _is_of_what_runs(finding: Finding) -> bool:
     return of_code and not finding.code.startswith(_OF_DECLARATIONS)
 
 
-__all__ = ["apart", "count_of_files", "is_named", "unused_files"]
+__all__ = ["apart", "count_of_files", "named_files", "unused_files"]

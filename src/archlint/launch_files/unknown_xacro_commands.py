@@ -10,7 +10,7 @@ from archlint.place import Place
 from archlint.records import dataclass
 from archlint.suggestions import nearest
 from archlint.syntax.description_files import files_named
-from archlint.syntax.xacro_commands import COMMANDS, Unclosed, macros_called, unclosed_expressions, unknown_commands
+from archlint.syntax.xacro_commands import COMMANDS, Unclosed, macros_called, stops_of_xacro
 
 if TYPE_CHECKING:
     from archlint.syntax.xacro_commands import UnknownCommand
@@ -47,10 +47,7 @@ def unknown_to_xacro(system: System) -> Iterator[UnknownToXacro]:
     texts = [workspace.tree.text(file) or "" for file in code]
     called = {name for file in files for name in macros_called(workspace.tree.text(file) or "")}
     for file in files:
-        description = workspace.tree.text(file) or ""
-        rows: list[Unclosed | UnknownCommand] = [*unclosed_expressions(description, called)]
-        rows += unknown_commands(description, called)
-        for row in rows:
+        for row in stops_of_xacro(workspace.tree.text(file) or "", called):
             if not any(row.written in text for text in texts):
                 closing = row.closing if isinstance(row, Unclosed) else ""
                 meant = "" if isinstance(row, Unclosed) else _meant(row, row.command in workspace.packages)

@@ -42,8 +42,7 @@ def entered_nothing(workspace: WorkspaceIndex) -> Iterator[EnteredNothing]:
     for path in workspace.python_files():
         for called, variable, span, used in _entered(workspace, path) or ():
             cls = class_named(workspace, path, called)
-            enter = _enter_of(workspace, cls) if isinstance(cls, ClassInFile) else None
-            if enter is not None and isinstance(cls, ClassInFile):
+            if isinstance(cls, ClassInFile) and (enter := _enter_of(workspace, cls)) is not None:
                 place, at = Place(path, *span), Place(path, *used)
                 yield EnteredNothing(place, variable, cls.code.name, at, enter)
 

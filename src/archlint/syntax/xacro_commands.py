@@ -9,7 +9,7 @@ or CDATA may never be looked at.
 from __future__ import annotations
 
 import re
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterator, Sequence
 from typing import NamedTuple
 
 from archlint.records import dataclass
@@ -51,12 +51,18 @@ class Unclosed:
     perhaps: bool
 
 
-def unknown_commands(text: str, called: Container[str]) -> Iterator[UnknownCommand]:
-    """Those that xacro comes to, where the macros are ``called`` that somebody calls.  Never raises."""
-    if "$(" not in text:
+def stops_of_xacro(text: str, called: Container[str]) -> Iterator[Unclosed | UnknownCommand]:
+    """The ``${`` and ``$(`` in attributes that nothing closes there, and the substitutions that xacro does not know,
+    where it comes to them and the macros are ``called`` that somebody calls.  Never raises."""
+    if "$" not in text:
         return
     text = _evaluated(text)
     regions = [*_regions(text, called)]
+    yield from _unclosed_expressions(text, regions)
+    yield from _unknown_commands(text, regions)
+
+
+def _unknown_commands(text: str, regions: Sequence[_Region]) -> Iterator[UnknownCommand]:
     for match in _SUBSTITUTION.finditer(text):
         around = [region for region in regions if region.start <= match.start() < region.end]
         if match[1] not in COMMANDS and not any(region.skipped for region in around):
@@ -64,12 +70,7 @@ def unknown_commands(text: str, called: Container[str]) -> Iterator[UnknownComma
             yield UnknownCommand(match[0], match[1], not match[2].strip(), span, bool(around))
 
 
-def unclosed_expressions(text: str, called: Container[str]) -> Iterator[Unclosed]:
-    """The ``${`` and ``$(`` in attributes that nothing closes there, where xacro comes to them.  Never raises."""
-    if "$" not in text:
-        return
-    text = _evaluated(text)
-    regions = [*_regions(text, called)]
+def _unclosed_expressions(text: str, regions: Sequence[_Region]) -> Iterator[Unclosed]:
     for tag in TAG.finditer(text):
         for attribute in _ATTRIBUTE.finditer(text, tag.start(3), tag.end(3)):
             start, end = attribute.span(1 if attribute[1] is not None else 2)
@@ -137,4 +138,4 @@ def _regions(text: str, called: Container[str]) -> Iterator[_Region]:
         yield _Region(start, len(text), skipped)
 
 
-__all__ = ["COMMANDS", "Unclosed", "UnknownCommand", "macros_called", "unclosed_expressions", "unknown_commands"]
+__all__ = ["COMMANDS", "Unclosed", "UnknownCommand", "macros_called", "stops_of_xacro"]
