@@ -14,6 +14,7 @@ from archlint.model import Misuse
 from archlint.python_code.bare_supers import calls_of_bare_super, constructors_without_self
 from archlint.python_code.compared_methods import ComparedMethod, compared_methods
 from archlint.python_code.dropped_coroutines import DroppedCoroutine, dropped_coroutines
+from archlint.python_code.dropped_results import DroppedResult, dropped_results
 from archlint.python_code.object_calls import refused_object_calls
 from archlint.python_code.own_calls import RefusedOwnCall, refused_own_calls
 from archlint.python_code.own_results import WrongLength, wrong_lengths
@@ -45,6 +46,8 @@ def own_call_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _tested(tested))
         for dropped in dropped_coroutines(system.workspace):
             yield from unless_uncalled(system, _dropped(dropped))
+        for result in dropped_results(system.workspace):
+            yield from unless_uncalled(system, _dropped_result(result))
         for place in calls_of_bare_super(system.workspace):
             yield from unless_uncalled(system, _of_bare_super(place))
         for name, place in constructors_without_self(system.workspace):
@@ -158,6 +161,19 @@ def _dropped(row: DroppedCoroutine) -> Finding:
         identity=("coroutine", row.name),
         group=(row.place.file, "coroutine", row.name),
     )
+
+
+def _dropped_result(row: DroppedResult) -> Finding:
+    assigned = f"{row.given} = {row.function}(…)"
+    diagnostic = finding(
+        "API001",
+        row.place,
+        f"{row.function}() leaves {row.given} as it is and returns {row.result}: this line throws that away",
+        help=f"write {assigned}",
+        identity=("dropped result", row.function, row.given),
+        group=(row.place.file, "dropped result", row.function),
+    )
+    return replace(diagnostic, severity=Severity.WARNING)
 
 
 def _not_called(name: str, place: Place) -> Finding:
