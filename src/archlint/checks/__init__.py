@@ -40,6 +40,7 @@ MODULES: tuple[str, ...] = (
     "cmake_names",
     "refused_commands",
     "refused_cpp",
+    "refused_descriptions",
     "refused_manifests",
     "clock_topics",
     "parameter_members",
