@@ -1455,6 +1455,8 @@ TRIED = "    try:\n        share = get_package_share_directory('turtlebot3_bring
         (f"{TRIED.format('Exception as error', 'share = str(error)')}    {INCLUDE}", 0),
         (f"{TRIED.format('Exception', 'raise RuntimeError()')}    {INCLUDE}", 1),
         (f"{TRIED.format('Exception', 'return LaunchDescription([])')}    {INCLUDE}", 1),
+        (f"{TRIED.format('Exception', 'return LaunchDescription([LogInfo(msg=str(1))])')}    {INCLUDE}", 0),
+        (f"{TRIED.format('Exception', 'return LaunchDescription(actions)')}    {INCLUDE}", 1),
         (f"{TRIED.format('OSError', 'share = None')}    {INCLUDE}", 1),
         (f"    share = share_of('turtlebot3_bringup')\n    if share:\n        {INCLUDE}", 0),
         (f"    share = get_package_share_directory('turtlebot3_bringup')\n    {INCLUDE}", 1),

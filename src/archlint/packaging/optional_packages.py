@@ -64,11 +64,23 @@ def _tolerant(body: Sequence[facts.Stmt], may_return: bool = False) -> Iterator[
 
 
 def _ends(handler: facts.Handler, may_return: bool) -> bool:
-    kinds = facts.Raise if may_return else (facts.Raise, facts.Return)
-    return any(
-        isinstance(part, kinds) or (isinstance(part, facts.Call) and called_name(part) in _ENDS)
-        for part in everything_in(handler.body)
-    )
+    for part in everything_in(handler.body):
+        match part:
+            case facts.Return(value=value) if not may_return and not _describes(value):
+                return True
+            case facts.Raise():
+                return True
+            case facts.Call() if called_name(part) in _ENDS:
+                return True
+    return False
+
+
+def _describes(value: facts.Expr | None) -> bool:
+    """Whether a launch file returns what it starts without the package."""
+    match value:
+        case facts.Call(args=[facts.Argument(value=facts.Sequence(elements=items))]):
+            return called_name(value) == "LaunchDescription" and bool(items)
+    return False
 
 
 def _is_helper(function: facts.Function) -> bool:
