@@ -44,6 +44,19 @@ def test_a_file_of_the_workspace_is_found_through_its_package(findings):
     assert finding.help == "install it, and write $(find-pkg-share robot)/maps/hall.yaml"
 
 
+@pytest.mark.parametrize(
+    ("folder", "written"), [("share/robot/maps", "maps/hall.yaml"), ("share/robot", "hall.yaml"), ("etc", None)]
+)
+def test_a_file_that_its_package_installs(findings, folder, written):
+    """It is named where it comes to: below the share folder, it need not lie as it does in the source folder."""
+    setup = f"from setuptools import setup\nsetup(name='robot', data_files=[('{folder}', ['maps/hall.yaml'])])\n"
+    (finding,) = findings("LCH014", node("/home/maria/ws/src/robot/maps/hall.yaml"), **HALL, **{"setup.py": setup})
+    if written is None:
+        assert finding.help == "install it, and write $(find-pkg-share robot)/maps/hall.yaml"
+    else:
+        assert finding.help == f"write $(find-pkg-share robot)/{written}"
+
+
 def test_a_file_of_the_workspace_that_a_launch_file_in_python_names(findings):
     action = (
         "DeclareLaunchArgument('map', default_value='/home/maria/ros2_ws/install/robot/share/robot/maps/hall.yaml')"

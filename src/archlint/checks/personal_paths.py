@@ -48,11 +48,12 @@ def _finding(code: str, row: PersonalPath, help: str) -> Finding:
 
 
 def _help(row: PersonalPath, package: str, below: str, is_launch_file: bool) -> str:
+    first = "" if row.installed else "install it, and "
     if row.place.file.endswith(".py"):
-        return f"install it, and write os.path.join(get_package_share_directory('{package}'), '{below}')"
+        return f"{first}write os.path.join(get_package_share_directory('{package}'), '{below}')"
     if is_launch_file:
-        return f"install it, and write $(find-pkg-share {package})/{below}"
-    return f"install it, and let the launch file give the parameter: {below} in the share folder of '{package}'"
+        return f"{first}write $(find-pkg-share {package})/{below}"
+    return f"{first}let the launch file give the parameter: {below} in the share folder of '{package}'"
 
 
 @folds("LCH010", across_systems=True)

@@ -35,12 +35,14 @@ _ACCOUNTS = frozenset(
 
 @dataclass(frozen=True)
 class PersonalPath:
-    """A path that is there for one person only; ``inside`` is what it names in a package of this workspace."""
+    """A path that is there for one person only; ``inside`` is what it names in a package of this workspace: the path
+    below its share folder where the package has ``installed`` it there, else below its source folder."""
 
     path: str
     who: str
     place: Place
     inside: tuple[str, str] | None = None
+    installed: bool = False
 
 
 def personal_paths(system: System) -> Iterator[PersonalPath]:
@@ -67,7 +69,19 @@ def _among(workspace: WorkspaceIndex, file: str, texts: Iterable[_Text]) -> Iter
         for match in _IN_HOME.finditer(text):
             path, who = match[0], match["who"]
             if who.lower() not in _ACCOUNTS and who not in _of_images(workspace):
-                yield PersonalPath(path, who, Place(file, *span), _inside(workspace, path))
+                inside = _inside(workspace, path)
+                shared = None if inside is None else _shared(workspace, *inside)
+                if inside is not None and shared is not None:
+                    inside = inside[0], shared
+                yield PersonalPath(path, who, Place(file, *span), inside, shared is not None)
+
+
+def _shared(workspace: WorkspaceIndex, package: str, below: str) -> str | None:
+    """Where a package installs a file of its folder, below its share folder; None where it does not."""
+    installs, share = workspace.installs.get(package), f"share/{package}/"
+    file = f"{workspace.packages[package].relative}/{below}".removeprefix("./")
+    places = [] if installs is None else [place for place in installs.places_of(file) if place.startswith(share)]
+    return min(places).removeprefix(share) if places else None
 
 
 def _inside(workspace: WorkspaceIndex, path: str) -> tuple[str, str] | None:
