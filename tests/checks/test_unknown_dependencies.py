@@ -407,6 +407,7 @@ def test_a_package_of_the_workspace_with_a_2_behind_its_name(tmp_path: Path, mon
     ("name", "help"),
     [
         ("TODO", "write the name of the package instead"),
+        ("Lab::bus", "a target of CMake: write the name of the package that has it, or remove the line if none has it"),
         ("https://example.org/arm.git", "write the name of the package instead"),
         ("static_transform_publisher", "write 'tf2_ros' instead"),
     ],

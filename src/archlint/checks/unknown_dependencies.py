@@ -220,7 +220,10 @@ def _mistaken(package: Package, dependency: Dependency, wrong: Mistaken) -> Find
     elif wrong.mistake is Mistake.OF_PYTHON:
         message = f"'{name}' is a module of Python itself, and no key of rosdep, which stops here"
     elif wrong.mistake is Mistake.NOT_FILLED_IN:
-        message, help = f"'{name}' is no name of a package: rosdep stops here", "write the name of the package instead"
+        message = f"'{name}' is no name of a package: rosdep stops here"
+        help = "write the name of the package instead"
+        if "::" in name:
+            help = "a target of CMake: write the name of the package that has it, or remove the line if none has it"
     elif instead:
         return _finding(package, dependency, instead, help)
     else:
