@@ -182,6 +182,22 @@ def test_an_action_whose_variable_gets_another(findings):
     (told,) = findings("LCH008", **_file(f"{OTHER}\n    return LaunchDescription([talker])"))
     assert told.message == "this Node is lost: before it is added, line 7 gives 'talker' another action"
     assert (told.place.line, told.severity) == (6, Severity.WARNING)
+    assert told.help == "give each a variable of its own, and put both into the list of LaunchDescription()"
+
+
+@pytest.mark.parametrize(
+    ("given", "is_the_same"),
+    [
+        ("executable='talker', output='screen'", True),
+        ("executable='talker', namespace='left'", False),
+        ("executable='talker', arguments=['left']", False),
+        ("executable=chosen", False),
+    ],
+)
+def test_an_action_whose_variable_gets_one_that_starts_the_same_program(findings, given, is_the_same):
+    other = f"chosen = 'talker'\n    talker = Node(package='robot', {given})"
+    (told,) = findings("LCH008", **_file(f"{other}\n    return LaunchDescription([talker])"))
+    assert (told.help or "").startswith("remove one: both start the same program; if two are meant, ") is is_the_same
 
 
 @pytest.mark.parametrize(

@@ -280,7 +280,8 @@ def _said(wrong: WrongDescription) -> tuple[str, str]:
             text = (
                 f"this {wrong.of} is lost: before it is added, line {wrong.wanted} gives '{wrong.given}' another action"
             )
-            return text, "give each a variable of its own, and put both into the list of LaunchDescription()"
+            own = "give each a variable of its own, and put both into the list of LaunchDescription()"
+            return text, f"remove one: both start the same program; if two are meant, {own}" if wrong.twice else own
         case Wrong.TUPLE:
             text = f"'{wrong.given}' is a tuple, where launch wants an action: it stops with an AttributeError"
             return text, f"remove the comma behind the {wrong.of}, which makes the tuple"

@@ -41,7 +41,8 @@ class Wrong(StringEnum):
 @dataclass(frozen=True)
 class WrongDescription:
     """One place: ``given`` is what is there, ``wanted`` what launch takes, ``of`` the argument or class it is for.
-    Of a declaration that is not added, ``argument`` is what it declares."""
+    Of a declaration that is not added, ``argument`` is what it declares; ``twice`` is true of an action after which
+    another starts the same program."""
 
     kind: Wrong
     span: facts.Span
@@ -49,6 +50,7 @@ class WrongDescription:
     of: str = ""
     wanted: str = ""
     argument: str = ""
+    twice: bool = False
 
 
 __all__ = ["Wrong", "WrongDescription"]
