@@ -241,6 +241,7 @@ STOPPING = """
         main()
 """
 ON_WORD, ON_TIME = "self.create_subscription(Bool, 'near', self.stop, 10)", "self.create_timer(0.1, self.stop)"
+ON_TIME_AFTER_A_WORD = "self.create_subscription(Bool, 'near', lambda msg: self.create_timer(0.02, self.stop), 10)"
 ZERO = "self.pub.publish(Twist())"
 
 
@@ -250,15 +251,88 @@ ZERO = "self.pub.publish(Twist())"
         (ON_WORD, ZERO, False),
         (ON_WORD, "zero = Twist(); self.pub.publish(zero)", False),
         (ON_TIME, f"if self.near: {ZERO}", False),
+        (ON_TIME_AFTER_A_WORD, ZERO, False),
         (ON_TIME, ZERO, True),  # it holds the driver back at all times
         (ON_WORD, "slow = Twist(); slow.linear.x = 0.1; self.pub.publish(slow)", True),
         (ON_WORD, "slow = Twist(); self.fill(slow); self.pub.publish(slow)", True),
         (ON_WORD, f"{ZERO}; self.pub.publish(msg)", True),
     ],
-    ids=["a word", "a variable", "a condition", "always", "slower", "filled elsewhere", "and more"],
+    ids=[
+        "a word",
+        "a variable",
+        "a condition",
+        "a timer that a word starts",
+        "always",
+        "slower",
+        "filled elsewhere",
+        "and more",
+    ],
 )
 def test_a_publisher_that_only_stops_what_another_moves(judge: Judge, when: str, stop: str, told: bool):
     text = STOPPING.format(when=when, stop=stop)
+    judge("OWN001", text if told else text.replace("  # here", ""))
+
+
+MANAGED = """
+    import rclpy
+    from lifecycle_msgs.msg import Transition
+    from lifecycle_msgs.srv import ChangeState
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.lifecycle import LifecycleNode
+    from rclpy.node import Node
+    from std_msgs.msg import Float64
+
+
+    class Search(LifecycleNode):
+        def __init__(self):
+            super().__init__('search')
+            self.pub = self.create_publisher(Float64, 'desired_depth', 10)
+            self.create_timer(0.1, lambda: self.pub.publish(Float64()))
+
+
+    class Approach({approach}):
+        def __init__(self):
+            super().__init__('approach')
+            self.pub = self.create_publisher(Float64, 'desired_depth', 10)  # here
+            self.create_timer(0.1, lambda: self.pub.publish(Float64()))
+
+
+    class Modes(Node):
+        def __init__(self):
+            super().__init__('modes')
+            self.search = self.create_client(ChangeState, 'search/change_state')
+            self.create_subscription(Float64, 'distance', self.on_distance, 10)
+
+        def on_distance(self, msg):
+            request = ChangeState.Request()
+            request.transition.id = Transition.{transition}
+            self.search.call_async(request)
+
+
+    def main():
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        executor.add_node(Search())
+        executor.add_node(Approach())
+        executor.add_node(Modes())
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("approach", "transition", "told"),
+    [
+        ("LifecycleNode", "TRANSITION_DEACTIVATE", False),
+        ("LifecycleNode", "TRANSITION_ACTIVATE", True),  # both are active in the end
+        ("Node", "TRANSITION_DEACTIVATE", True),  # one always is
+    ],
+)
+def test_lifecycle_nodes_that_are_active_in_turn(judge: Judge, approach: str, transition: str, told: bool):
+    text = MANAGED.format(approach=approach, transition=transition)
     judge("OWN001", text if told else text.replace("  # here", ""))
 
 

@@ -108,9 +108,12 @@ def _is_new(value: facts.Expr) -> bool:
 
 
 def _is_for_a_reason(code: SourceCode, call: ApiCall) -> bool:
-    """Whether something has to happen for a call: its callback is not that of a timer, or a condition decides."""
+    """Whether something has to happen for a call: its callback is not that of a timer, or of one that starts when
+    something happens; or a condition decides."""
     graph = graph_of(code.body(call))
-    is_periodic = call.context.role == Role.TIMER or call.looped
+    timer = call.context.creation if call.context.role == Role.TIMER else None
+    starts_later = timer is not None and timer.context is not None and timer.context.role not in _ONCE
+    is_periodic = (call.context.role == Role.TIMER and not starts_later) or call.looped
     return not is_periodic or bool(graph.deciders(graph.evaluating(call.place.span)))
 
 

@@ -1,4 +1,4 @@
-"""Nodes that never run at the same time: one is started, or spun, when the other has come to its end."""
+"""Nodes that never act at the same time: one is started, spun or activated when the other has come to its end."""
 
 from __future__ import annotations
 
@@ -23,11 +23,21 @@ def run_in_sequence(system: System, end: Endpoint, other: Endpoint) -> bool:
     """Whether of the nodes of two endpoints only one acts at a time, for certain."""
     if _follows(system, end.node, other.node) or _follows(system, other.node, end.node):
         return True
+    if _are_activated_in_turn(system, end.node, other.node):
+        return True
     return _are_spun_in_sequence(end.node, other.node) and all(
         call.context.role in _ON_THE_MAIN_THREAD | {Role.METHOD} or runs_in_executor(call.context)
         for owner in (end, other)
         for call in publishes_of(system, owner)
     )
+
+
+def _are_activated_in_turn(system: System, node: Node, other: Node) -> bool:
+    """Whether two nodes with a life cycle publish only while they are active, and code of the workspace also ends that:
+    it chooses who is."""
+    blueprints, workspace = (node.blueprint, other.blueprint), system.workspace
+    managed = all(blueprint is not None and blueprint.lifecycle for blueprint in blueprints)
+    return managed and workspace is not None and bool(workspace.code.files_that_mention("TRANSITION_DEACTIVATE"))
 
 
 def _follows(system: System, node: Node, earlier: Node) -> bool:
