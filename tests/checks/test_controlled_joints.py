@@ -226,3 +226,65 @@ def test_the_description_of_another_package(tmp_path, own: str, times: int):
     write_files(tmp_path, {**files, "archlint.toml": 'select = ["PRM012"]\n'})
     request = Request((str(tmp_path),), load(tmp_path), cached=False, jobs=1)
     assert len(check(request).findings) == times
+
+
+WHEELS = """\
+<robot name="robot" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="base"/>
+  <xacro:macro name="wheel" params="side">
+    <link name="${side}_wheel"/>
+    <joint name="${side}_wheel_joint" type="continuous"><parent link="base"/><child link="${side}_wheel"/></joint>
+  </xacro:macro>
+  <xacro:wheel side="back_left"/>
+"""
+HARDWARE = """\
+  <ros2_control name="robot" type="system">
+    <joint name="NAME"><command_interface name="velocity"/></joint>
+  </ros2_control>
+"""
+
+
+def _of_hardware(findings, joint: str, before: str = "", **files: str):
+    robot = WHEELS + before + HARDWARE.replace("NAME", joint) + "</robot>\n"
+    return findings("PRM012", **{"urdf/robot.urdf.xacro": robot}, **files)
+
+
+@pytest.mark.parametrize(
+    ("joint", "near"),
+    [("rear_left_wheel_joint", ""), ("back_left_wheel_jiont", "back_left_wheel_joint")],
+)
+def test_a_joint_of_hardware_that_the_robot_does_not_have(findings, joint: str, near: str):
+    (told,) = _of_hardware(findings, joint)
+    asked = f"; did you mean '{near}'?" if near else ""
+    assert told.message == (
+        f"<ros2_control> has a joint '{joint}', and the robot in 'robot.urdf.xacro' has none{asked}: since Jazzy the "
+        "controller manager refuses such a description; before, no link moves with it"
+    )
+    assert told.help == (f"write '{near}'" if near else "give it the name of a joint of the robot, or remove it")
+    assert (told.place.file, told.place.line) == ("urdf/robot.urdf.xacro", 9)
+
+
+@pytest.mark.parametrize(
+    ("joint", "before"),
+    [
+        ("back_left_wheel_joint", ""),
+        ("${'back_left'}_wheel_joint", ""),
+        ("front_wheel_joint", '<xacro:if value="$(arg front)"><xacro:wheel side="front"/></xacro:if>'),
+        ("front_wheel_joint", '<xacro:wheel side="$(arg side)"/>'),
+        ("front_wheel_joint", '<xacro:include filename="$(find elsewhere)/front.xacro"/>'),
+        ("$(arg joint)", ""),
+    ],
+)
+def test_a_joint_of_hardware_that_the_robot_has_or_may_have(findings, joint: str, before: str):
+    assert _of_hardware(findings, joint, before) == []
+
+
+def test_a_joint_of_hardware_in_a_part_of_a_robot(findings):
+    whole = WHEELS.replace("back_left", "arm") + '<xacro:include filename="robot.urdf.xacro"/></robot>'
+    assert _of_hardware(findings, "arm_wheel_joint", **{"urdf/whole.xacro": whole}) == []
+
+
+def test_what_hardware_calls_a_joint_and_is_none(findings):
+    scaling = '<joint name="speed_scaling"><state_interface name="speed_scaling_factor"/></joint>'
+    robot = WHEELS + f'<ros2_control name="robot" type="system">{scaling}</ros2_control></robot>'
+    assert findings("PRM012", **{"urdf/robot.urdf.xacro": robot}) == []

@@ -3,6 +3,7 @@ joints of others."""
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -18,6 +19,7 @@ from archlint.launch_files.controlled_joints import (
     UnknownJoint,
     wrong_for_controllers,
 )
+from archlint.launch_files.hardware_joints import JointOfNoRobot, joints_of_no_robot
 from archlint.launch_files.incomplete_controllers import (
     IncompleteController,
     incomplete_controllers,
@@ -40,6 +42,25 @@ def joint_of_no_robot(system: System, options: Options) -> Iterator[Finding]:
     lacking = (*incomplete_controllers(workspace), *passed_over_by_moveit(workspace))
     for told in (*map(_told, wrong_for_controllers(workspace)), *map(_incomplete, lacking)):
         yield replace(told, severity=Severity.INFO) if has_no_reader(workspace, told.place.file) else told
+    yield from map(_of_hardware, joints_of_no_robot(workspace))
+
+
+def _of_hardware(row: JointOfNoRobot) -> Finding:
+    """What stands below ``<ros2_control>``; the same file may be of several robots."""
+    robot = posixpath.basename(row.robot)
+    near = row.meant and f"'{row.meant}'"
+    return finding(
+        "PRM012",
+        row.place,
+        f"<ros2_control> has a joint '{row.name}', and the robot in '{robot}' has none{meant(near)}: since Jazzy the "
+        "controller manager refuses such a description; before, no link moves with it",
+        help=f"write {near}" if near else "give it the name of a joint of the robot, or remove it",
+        identity=(_HARDWARE, row.name),
+        group=(row.place.file, _HARDWARE, robot, row.name),
+    )
+
+
+_HARDWARE = "ros2_control"
 
 
 def _incomplete(row: IncompleteController) -> Finding:

@@ -60,7 +60,7 @@ class _Joint:
 
 
 @dataclass(frozen=True)
-class _Robot:
+class Robot:
     """The links and joints; whether there may be more, or names that are not known."""
 
     links: list[tuple[str, Made]] = field(default_factory=list)
@@ -104,10 +104,11 @@ def refused_trees(system: System) -> Iterator[RefusedTree]:
     for file in named_descriptions(system):
         expansion = None if workspace is None else expansion_of(workspace, file)
         if expansion is not None:
-            yield from _flaws(file, _robot(expansion))
+            yield from _flaws(file, robot_of(expansion))
 
 
-def _robot(expansion: Expansion) -> _Robot:
+def robot_of(expansion: Expansion) -> Robot:
+    """The links and joints in what xacro has made."""
     links: list[tuple[str, Made]] = []
     joints: list[_Joint] = []
     is_open = expansion.open
@@ -121,14 +122,14 @@ def _robot(expansion: Expansion) -> _Robot:
             is_open |= name is None or parent is None or child is None
             if name is not None:
                 joints.append(_Joint(name, parent or "", child or "", element))
-    return _Robot(links, joints, is_open)
+    return Robot(links, joints, is_open)
 
 
 def _link(joint: Made, end: str) -> str | None:
     return next((row.attributes.get("link") for row in joint.children if row.tag == end), None)
 
 
-def _flaws(file: str, robot: _Robot) -> Iterator[RefusedTree]:
+def _flaws(file: str, robot: Robot) -> Iterator[RefusedTree]:
     yield from _twice(file, "link", robot.links)
     yield from _twice(file, "joint", [(joint.name, joint.element) for joint in robot.joints])
     if robot.open or not robot.links:
@@ -141,7 +142,7 @@ def _flaws(file: str, robot: _Robot) -> Iterator[RefusedTree]:
                 missing = True
                 near = nearest(end, links) or ""
                 kind = "parent" if end == joint.parent else "child"
-                place = _place(joint.element)
+                place = place_of(joint.element)
                 if not joint.element.perhaps:
                     yield RefusedTree(Flaw.NO_LINK, place, kind, shown(end), file, shown(near), shown(joint.name))
     children = [joint.child for joint in robot.joints]
@@ -150,7 +151,7 @@ def _flaws(file: str, robot: _Robot) -> Iterator[RefusedTree]:
     if not missing and len(certain) > 1:
         (name, _), (other, element) = certain[0], certain[1]
         yield RefusedTree(
-            Flaw.ROOTS, _place(element), "link", shown(other), file, shown(name), there=_place(certain[0][1])
+            Flaw.ROOTS, place_of(element), "link", shown(other), file, shown(name), there=place_of(certain[0][1])
         )
 
 
@@ -160,12 +161,22 @@ def _twice(file: str, kind: str, rows: list[tuple[str, Made]]) -> Iterator[Refus
         if element.perhaps:
             continue
         if name in first:
-            yield RefusedTree(Flaw.TWICE, _place(element), kind, shown(name), file, there=_place(first[name]))
+            yield RefusedTree(Flaw.TWICE, place_of(element), kind, shown(name), file, there=place_of(first[name]))
         first.setdefault(name, element)
 
 
-def _place(element: Made) -> Place:
+def place_of(element: Made) -> Place:
+    """Where an element begins."""
     return Place(element.file, element.line, element.column, element.line, element.column + len(element.tag) + 1)
 
 
-__all__ = ["Flaw", "RefusedTree", "expansion_of", "named_descriptions", "refused_trees"]
+__all__ = [
+    "Flaw",
+    "RefusedTree",
+    "Robot",
+    "expansion_of",
+    "named_descriptions",
+    "place_of",
+    "refused_trees",
+    "robot_of",
+]
