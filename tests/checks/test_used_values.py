@@ -72,6 +72,7 @@ def _node(lines: str) -> str:
         ("print(self.stop().x)  # here", "stop() returns None: this line raises AttributeError"),
         ("for each in self.stop():  # here;     print(each)", "stop() returns None: this line raises TypeError"),
         ("print(self.stop() + 1.0)  # here", "stop() returns None: this line raises TypeError"),
+        ("self.pub.publish(self.stop())  # here", "stop() returns None: this line raises TypeError"),
         ("print([each for each in self.stop()])  # here", "stop() returns None: this line raises TypeError"),
         ("way = [1, 2]; for each in random.shuffle(way):  # here;     print(each)", "random.shuffle() returns None: "),
         ("way = [1, 2]; way = random.shuffle(way)  # here; print(way)", "random.shuffle() returns None: "),

@@ -15,6 +15,7 @@ from archlint.python_code.called_modules import CalledModule, called_modules
 from archlint.python_code.called_values import CalledValue, called_values
 from archlint.python_code.empty_lists import ItemOfNothing, items_of_nothing
 from archlint.python_code.entered_nothing import EnteredNothing, entered_nothing
+from archlint.python_code.failed_results import FailedResult, failed_results
 from archlint.python_code.formatted_texts import WrongCount, wrong_counts
 from archlint.python_code.hidden_messages import HiddenMessage, hidden_messages
 from archlint.python_code.misused_kinds import Misuse, MisusedKind, misused_kinds
@@ -49,6 +50,8 @@ def used_value_findings(system: System) -> Iterator[Finding]:
     if system.workspace is not None:
         for row in uses_of_nothing(system.workspace):
             yield from unless_uncalled(system, _nothing(row))
+        for failed in failed_results(system.workspace):
+            yield from unless_uncalled(system, _failed(failed))
         for sum_ in text_sums(system):
             yield from unless_uncalled(system, _text(sum_))
         for count in wrong_counts(system.workspace):
@@ -160,6 +163,20 @@ def _nothing(row: UsedNothing) -> Finding:
     )
     tests = row.use in (Use.TESTS, Use.TESTS_NOT)
     return replace(diagnostic, severity=Severity.WARNING) if tests else diagnostic
+
+
+def _failed(row: FailedResult) -> Finding:
+    name = row.name.rpartition(".")[2]
+    diagnostic = finding(
+        "API001",
+        row.place,
+        f"{name}() returns None where it catches {row.caught}: then {_OUTCOME[row.use]}",
+        help=f"give the result of {row.name}() to a variable first, and go on only if it is not None",
+        related=[Related(row.returned, f"{name}() returns None behind this except")],
+        identity=(NOTHING, row.name, row.caught),
+        group=(row.place.file, NOTHING, row.name, row.caught),
+    )
+    return replace(diagnostic, severity=Severity.WARNING)
 
 
 def _entered(row: EnteredNothing) -> Finding:

@@ -58,7 +58,7 @@ def uses_of_nothing(workspace: WorkspaceIndex) -> Iterator[UsedNothing]:
     for path in workspace.python_files():
         for name, use, span in _of_python(workspace, path) or ():
             yield UsedNothing(Place(path, *span), name, use)
-        uses = dict(_uses(workspace, path) or ())
+        uses = dict(uses_of_results(workspace, path) or ())
         if path in _started_by_entries(workspace):
             uses = _outside_of_guard(workspace, path, uses)
         for call in (own_calls_of(workspace, path) or ()) if uses else ():
@@ -118,7 +118,7 @@ def _says_nothing(statement: facts.Stmt) -> bool:
 
 
 @kept_for_each_file
-def _uses(code: facts.Facts) -> list[tuple[facts.Span, tuple[Use, facts.Span]]]:
+def uses_of_results(code: facts.Facts) -> list[tuple[facts.Span, tuple[Use, facts.Span]]]:
     """The calls whose results code uses, or those of the one variable that gets them: how, and where."""
     expecting = tried_for(code.body, OF_A_WRONG_KIND)
     rows: list[tuple[facts.Span, tuple[Use, facts.Span]]] = []
@@ -193,6 +193,11 @@ def _used_by(part: facts.Base) -> Iterator[tuple[facts.Expr, Use, facts.Span]]:
         case facts.Call(func=facts.Name(id=name), args=[facts.Argument(value=value, star="")], span=span):
             if name in _TAKE_A_VALUE:
                 yield value, Use.FAILS, span
+        case facts.Call(
+            func=facts.Attribute(value=held, attr="publish"), args=[facts.Argument(value=value)], span=span
+        ):
+            if "pub" in held.last_name.lower():
+                yield value, Use.FAILS, span
         case facts.If(test=facts.Call(span=span) as value) | facts.While(test=facts.Call(span=span) as value):
             yield value, Use.TESTS, span
         case facts.If(test=facts.Unary(op="not", operand=facts.Call() as value, span=span)):
@@ -243,4 +248,4 @@ def _lists_in(body: Sequence[facts.Stmt]) -> frozenset[str]:
     return frozenset(name for name in lists if lists.count(name) == bound.count(name))
 
 
-__all__ = ["Use", "UsedNothing", "returns_nothing", "tests_in", "uses_of_nothing"]
+__all__ = ["Use", "UsedNothing", "returns_nothing", "tests_in", "uses_of_nothing", "uses_of_results"]
