@@ -9,6 +9,7 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Related
 from archlint.python_code.field_operations import LEVELS, FieldOperation, field_operations
+from archlint.python_code.given_fields import GivenField, given_fields
 from archlint.python_code.kept_fields import kept_field_operations
 from archlint.python_code.kept_messages import kept_message_operations
 from archlint.python_code.made_message_operations import MadeMessageOperation, made_message_operations
@@ -25,6 +26,8 @@ _OTHERS = {"string": "a string", "number": "a number", "list": "a list", "messag
 def operations_on_fields(system: System) -> Iterator[Finding]:
     """The findings about such code."""
     yield from map(_finding, (*field_operations(system), *kept_field_operations(system)))
+    for given in given_fields(system):
+        yield from unless_uncalled(system, _of_given(given))
     yield from map(_of_message, (*message_operations(system), *kept_message_operations(system)))
     for row in () if system.workspace is None else made_message_operations(system.workspace):
         yield from unless_uncalled(system, _of_made(row))
@@ -55,6 +58,21 @@ def _finding(row: FieldOperation) -> Finding:
         related=[Related(use.place, f"'{row.attribute}' gets it here")] if row.attribute else [],
         identity=(use.type, use.section_name, use.name, row.deed, row.by),
         group=(row.place.file, of, use.name, row.deed, row.other, row.by, row.attribute),
+    )
+
+
+def _of_given(row: GivenField) -> Finding:
+    use, name = row.operation.use, row.name.rpartition(".")[2]
+    of = f"{use.type}.{use.section_name}" if use.section_name else use.type
+    return finding(
+        "MSG003",
+        row.operation.place,
+        f"'{use.name}' of {of} is {_what(row.operation)}, which {name}() takes apart: that raises TypeError",
+        help=f"give {name}() a list of the fields of the message, or let it use them by their names",
+        node=None if use.node is None else use.node.name.text,
+        related=[Related(row.done, f"{name}() takes '{row.parameter}' apart here")],
+        identity=(use.type, use.section_name, use.name, row.name),
+        group=(row.operation.place.file, of, use.name, row.name),
     )
 
 

@@ -27,16 +27,16 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _Kind = Literal["int", "float", "bool", "string", "array", "message"]
-_Deed = Literal[
+Deed = Literal[
     "adds", "compares", "orders", "calculates", "takes out of", "goes through", "unpacks", "looks into", "runs", "calls"
 ]
 """``runs`` is ``msg.data()``, ``calls`` is ``len(msg.data)``."""
 _Other = Literal["string", "number", "list", ""]
 _Spot = tuple[str, int, int, int, int]
 """A file, and the span in it."""
-_Row = tuple[_Deed, _Other, str, facts.Span, facts.Span]
+_Row = tuple[Deed, _Other, str, facts.Span, facts.Span]
 """What is done, with what beside the field, by which operator or function; the spans of the field and of it all."""
-_DeedTo = tuple[_Deed, _Other, str, facts.Expr, facts.Span]
+_DeedTo = tuple[Deed, _Other, str, facts.Expr, facts.Span]
 """The same with the expression that it is done to."""
 _ORDER = frozenset({"<", "<=", ">", ">="})
 _EQUAL = frozenset({"==", "!=", "in", "not in"})
@@ -68,7 +68,7 @@ class FieldOperation:
     kind: _Kind
     type_name: str
     """Of a message, or of the items of an array."""
-    deed: _Deed
+    deed: Deed
     other: _Other
     by: str
     """The operator or the function."""
@@ -122,7 +122,7 @@ def held_in(kind: FieldType) -> _Kind | None:
     return "bool" if kind.name == "bool" else "string" if kind.name in ("string", "wstring") else None
 
 
-def goes_wrong(held: _Kind, deed: _Deed, other: _Other, by: str) -> bool:
+def goes_wrong(held: _Kind, deed: Deed, other: _Other, by: str) -> bool:
     """Whether Python refuses to do that with what is held, or always has one result."""
     match deed:
         case "adds":
@@ -197,7 +197,7 @@ def _deeds_of(part: facts.Base) -> Iterator[_DeedTo]:
                 if _is_number(other):
                     yield "calculates", "number", op, field, span
         case facts.Compare(left=left, ops=[operator], comparators=[right], span=span) if operator in _ORDER | _EQUAL:
-            deed: _Deed = "orders" if operator in _ORDER else "compares"
+            deed: Deed = "orders" if operator in _ORDER else "compares"
             pairs = ((left, right),) if operator in ("in", "not in") else ((left, right), (right, left))
             for field, other in pairs:
                 if (what := _compared_with(other, operator)) is not None:
