@@ -71,8 +71,9 @@ class Store:
 
     def names_of(self, key: int) -> list[str]:
         """The names under which an object or a scope has values now, in the order in which they were written first."""
-        slots = (slot for layer in self.layers for owner, slot in layer if owner == key)
-        return list(dict.fromkeys(slot for slot in slots if isinstance(slot, str)))
+        self._note_names()
+        above = (slot for layer in self.layers[1:] for owner, slot in layer if owner == key and isinstance(slot, str))
+        return list(dict.fromkeys([*self._names.get(key, ()), *above]))
 
     def values_at(self, slots: Sequence[tuple[int, str]]) -> list[Value | None]:
         """What each of many variables holds; None where nobody has written it."""
@@ -116,14 +117,18 @@ class Store:
 
     def variables(self, key: int) -> list[tuple[str, Value]]:
         """The names under which the base layer has values of an object or a scope, with these values."""
+        self._note_names()
+        base = self.layers[0]
+        rows = ((slot, base[key, slot]) for slot in self._names.get(key, ()))
+        return [(slot, value) for slot, value in rows if isinstance(value, Value)]
+
+    def _note_names(self) -> None:
         base = self.layers[0]
         # The base only grows, and dicts keep the order: what is new since the last question stands at its end.
         for owner, slot in reversed([*islice(reversed(base), len(base) - self._named)]):
             if isinstance(slot, str):
                 self._names.setdefault(owner, []).append(slot)
         self._named = len(base)
-        rows = ((slot, base[key, slot]) for slot in self._names.get(key, ()))
-        return [(slot, value) for slot, value in rows if isinstance(value, Value)]
 
     @contextmanager
     def meeting(self, oldest: int) -> Iterator[set[Slot]]:
