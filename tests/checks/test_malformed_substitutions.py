@@ -260,7 +260,7 @@ def test_a_substitution_in_a_condition_or_in_a_macro_that_is_called(findings, li
         "<xacro:macro name='m' params='x:=$(share)'/><xacro:m x='1'/>",
         "<xacro:macro name='m'><xacro:if value='0'><a b='$(share)'/></xacro:if></xacro:macro><xacro:m/>",
         "<xacro:property name='p'><a b='$(share)'/></xacro:property>",
-        "<xacro:macro name='m'><a b='$(share)'/></xacro:macro><xacro:other/>",
+        "<xacro:macro name='m'><a b='$(share)'/></xacro:macro><xacro:macro name='other'/><xacro:other/>",
     ],
 )
 def test_a_condition_that_never_holds_and_a_macro_that_nobody_calls(findings, line):
@@ -344,3 +344,57 @@ def test_a_description_that_a_launch_file_fills_in_or_that_none_reads(findings):
     assert findings("LCH007", **robot, **{"launch/it.launch.py": FILLED_IN.format(replaced="$(share)")}) == []
     assert findings("LCH007", node("talker"), **robot) == []
     assert len(findings("LCH007", **robot, **{"launch/it.launch.py": FILLED_IN.format(replaced="$(other)")})) == 1
+
+
+MACRO = "<xacro:macro name='wheel' params='side radius:= 0.1 tyre:=${1 + 1} *origin'><link name='a'/></xacro:macro>"
+STOPS = "xacro stops here, and the robot has no description"
+
+
+@pytest.mark.parametrize(
+    ("call", "message", "help"),
+    [
+        ("<xacro:inclue filename='a.xacro'/>", "there is no macro 'inclue'; did you mean 'include'?", None),
+        ("<xacro:wheels side='left'/>", "there is no macro 'wheels'; did you mean 'wheel'?", "write <xacro:wheel>"),
+        (
+            "<xacro:gripper/>",
+            "there is no macro 'gripper'",
+            "define it, or include the file that does, in front of this",
+        ),
+        (
+            "<xacro:wheel side='left' raduis='1'><origin/></xacro:wheel>",
+            "the macro 'wheel' has no parameter 'raduis'; did you mean 'radius'?",
+            "write 'radius'",
+        ),
+        (
+            "<xacro:wheel side='left' mass='1'><origin/></xacro:wheel>",
+            "the macro 'wheel' has no parameter 'mass'",
+            "remove it, or add it to the params of the macro",
+        ),
+        (
+            "<xacro:wheel><origin/></xacro:wheel>",
+            "the macro 'wheel' is not given its parameter 'side'",
+            "give it here, or a default in the params of the macro: side:=…",
+        ),
+    ],
+)
+def test_a_call_at_which_xacro_stops(findings, call, message, help):
+    (told,) = _described(findings, MACRO + "\n" + call)
+    assert told.message == f"{message}: {STOPS}"
+    assert help is None or told.help == help
+    assert (told.place.file, told.place.line) == ("urdf/robot.urdf.xacro", 4)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "<xacro:wheel side='left'><origin/></xacro:wheel>",
+        "<xacro:wheel side='left' radius='0.2' tyre='3'><origin/></xacro:wheel>",
+        "<xacro:if value='$(arg gripper)'><xacro:gripper/></xacro:if>",
+        "<xacro:include filename='$(find elsewhere)/gripper.xacro'/><xacro:gripper/><xacro:wheel mass='1'/>",
+        "<xacro:include filename='$(find elsewhere)/gripper.xacro' ns='of'/><xacro:of.gripper/>",
+        "<xacro:macro name='arm'><xacro:gripper/></xacro:macro>",
+        "<xacro:call macro='wheel' side='left'><origin/></xacro:call>",
+    ],
+)
+def test_a_call_that_xacro_follows_or_may_follow(findings, call):
+    assert _described(findings, MACRO + call) == []

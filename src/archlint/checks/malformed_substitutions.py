@@ -11,10 +11,13 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch_files.malformed_substitutions import Malformed, MalformedText, malformed_substitutions
+from archlint.launch_files.robot_trees import stops_at_calls
 from archlint.launch_files.unknown_xacro_commands import KNOWN_TO_XACRO, UnknownToXacro, unknown_to_xacro
 from archlint.launch_files.unperformed_substitutions import unperformed_substitutions
+from archlint.suggestions import meant, nearest
 
 if TYPE_CHECKING:
+    from archlint.syntax.xacro_expansion import Stop
     from archlint.systems.model import System
 
 
@@ -32,6 +35,7 @@ def malformed_substitution(system: System, options: Options) -> Iterator[Finding
             group=(file,),
         )
     yield from map(_of_description, unknown_to_xacro(system))
+    yield from map(_of_call, stops_at_calls(system))
     for text in unperformed_substitutions(system):
         yield finding(
             "LCH007",
@@ -42,6 +46,29 @@ def malformed_substitution(system: System, options: Options) -> Iterator[Finding
             identity=(text.name, text.written),
             group=(text.place.file,),
         )
+
+
+def _of_call(row: Stop) -> Finding:
+    """The finding for a call of a macro at which xacro stops."""
+    near = nearest(row.parameter or row.macro, row.known) or ""
+    if not row.parameter:
+        wrong = f"there is no macro '{row.macro}'{meant(near and repr(near))}"
+        help = f"write <xacro:{near}>" if near else "define it, or include the file that does, in front of this"
+    elif row.is_given:
+        wrong = f"the macro '{row.macro}' has no parameter '{row.parameter}'{meant(near and repr(near))}"
+        help = f"write '{near}'" if near else "remove it, or add it to the params of the macro"
+    else:
+        wrong = f"the macro '{row.macro}' is not given its parameter '{row.parameter}'"
+        help = f"give it here, or a default in the params of the macro: {row.parameter}:=…"
+    end = row.column + len(row.macro) + len("<xacro:")
+    return finding(
+        "LCH007",
+        Place(row.file, row.line, row.column, row.line, end),
+        f"{wrong}: xacro stops here, and the robot has no description",
+        help=help,
+        identity=("xacro", row.macro, row.parameter),
+        group=(row.file, "xacro"),
+    )
 
 
 def _of_description(row: UnknownToXacro) -> Finding:

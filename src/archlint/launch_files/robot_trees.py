@@ -18,7 +18,7 @@ from archlint.analysis.kept import kept
 from archlint.place import Place
 from archlint.records import dataclass
 from archlint.suggestions import nearest
-from archlint.syntax.xacro_expansion import Expansion, Made, expand
+from archlint.syntax.xacro_expansion import Expansion, Made, Stop, expand
 from archlint.syntax.xacro_expressions import may_be_same, shown
 
 if TYPE_CHECKING:
@@ -96,6 +96,14 @@ def named_descriptions(system: System) -> list[str]:
         if row.source is not None and not row.dormant and not row.place.file.endswith(_ENDINGS)
     }
     return sorted(file for file in named if file.endswith(_ENDINGS) and not is_aside(workspace, file))
+
+
+def stops_at_calls(system: System) -> Iterator[Stop]:
+    """The calls of macros at which xacro stops, in the descriptions that a launch file names."""
+    for file in named_descriptions(system):
+        expansion = None if system.workspace is None else expansion_of(system.workspace, file)
+        if expansion is not None and expansion.stop is not None:
+            yield expansion.stop
 
 
 def refused_trees(system: System) -> Iterator[RefusedTree]:

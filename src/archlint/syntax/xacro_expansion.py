@@ -15,10 +15,15 @@ from archlint.syntax.xacro_expressions import Value, evaluated, truth
 from archlint.syntax.xml_elements import Element, read_elements
 
 _XACRO = "xacro:"
+_OTHERS = frozenset({"attribute", "call", "element"})
+"""What xacro has besides macros and is not followed here."""
+BUILT_IN = frozenset({"arg", "if", "include", "insert_block", "macro", "property", "unless", *_OTHERS})
 _MOST = 30_000
 """How many elements are looked at."""
 _DEEPEST = 60
-_PARAMETER = re.compile(r"\s*([^\s:=]+?):?=(\^\|?)?((?:(?:'[^']*')?[^\s'\"]*?)*)(?:\s+|$)")
+_PARAMETER = re.compile(
+    r"\s*([^\s:=]+)\s*:?=\s*(\^\|?)?(\$\{[^}]*\}|\$\([^)]*\)|(?:'[^']*'|\"[^\"]*\"|[^\s'\"])*)(?:\s+|$)"
+)
 _WITHOUT_DEFAULT = re.compile(r"\s*([^\s:=]+)(?:\s+|$)")
 
 Reader = Callable[[str, str], "tuple[str, str] | None"]
@@ -39,12 +44,28 @@ class Made:
 
 
 @dataclass(frozen=True)
+class Stop:
+    """A call at which xacro stops: of no ``macro``, or of one that has no ``parameter``, or that is not given it."""
+
+    file: str
+    line: int
+    column: int
+    macro: str
+    parameter: str = ""
+    is_given: bool = False
+    known: tuple[str, ...] = ()
+    """The names that there are: of macros, or of the parameters that are not given."""
+
+
+@dataclass(frozen=True)
 class Expansion:
-    """What is below the outermost element, and whether there may be more; ``files`` are all that were read."""
+    """What is below the outermost element, and whether there may be more; ``files`` are all that were read, and
+    ``stop`` is where xacro stops."""
 
     children: list[Made]
     open: bool
     files: frozenset[str]
+    stop: Stop | None = None
 
 
 @dataclass(frozen=True)
@@ -112,7 +133,7 @@ def expand(file: str, text: str, read: Reader) -> Expansion | None:
     work = _Expanding(read)
     work.files.add(file)
     children = work.below(top, file, _Symbols(), perhaps=False)
-    return Expansion(children, work.open, frozenset(work.files))
+    return Expansion(children, work.open, frozenset(work.files), work.stop)
 
 
 class _Expanding:
@@ -123,6 +144,7 @@ class _Expanding:
         self.open = False
         self.files: set[str] = set()
         self.macros: dict[str, _Macro | None] = {}
+        self.stop: Stop | None = None
         self.left = _MOST
         self.depth = 0
 
@@ -204,7 +226,9 @@ class _Expanding:
 
     def _called(self, name: str, element: Element, file: str, symbols: _Symbols, *, perhaps: bool) -> Sequence[Made]:
         macro = self.macros.get(name)
-        if macro is None:
+        stop = None if perhaps or self.open else self._stop(name, macro, element, file)
+        self.stop = self.stop or stop
+        if macro is None or stop is not None:
             self.open = True
             return ()
         inner = _Symbols(symbols)
@@ -226,6 +250,21 @@ class _Expanding:
                 return ()
             inner.blocks[block.lstrip("*")] = child.children if block.startswith("**") else [child]
         return self.below(macro.element, macro.file, inner, perhaps=perhaps)
+
+    def _stop(self, name: str, macro: _Macro | None, element: Element, file: str) -> Stop | None:
+        """Where all macros are known."""
+        at = file, element.line, element.column, name
+        if macro is None:
+            is_other = name in self.macros or name in _OTHERS or "." in name
+            return None if is_other else Stop(*at, known=tuple(sorted(BUILT_IN | self.macros.keys())))
+        given = [given for given in element.attributes if not given.startswith("xmlns")]
+        there = [parameter for parameter, _, _ in macro.parameters]
+        extra = next((parameter for parameter in given if parameter not in there), None)
+        if extra is not None:
+            return Stop(*at, extra, is_given=True, known=tuple(row for row in there if row not in given))
+        needed = (row for row, default, is_inherited in macro.parameters if default is None and not is_inherited)
+        missing = next((parameter for parameter in needed if parameter not in given), None)
+        return None if missing is None else Stop(*at, missing)
 
 
 def _parameters(text: str) -> tuple[tuple[tuple[str, str | None, bool], ...], tuple[str, ...], bool]:
@@ -250,4 +289,4 @@ def _parameters(text: str) -> tuple[tuple[tuple[str, str | None, bool], ...], tu
     return tuple(rows), tuple(blocks), True
 
 
-__all__ = ["Expansion", "Made", "Reader", "expand"]
+__all__ = ["BUILT_IN", "Expansion", "Made", "Reader", "Stop", "expand"]
