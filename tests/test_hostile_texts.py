@@ -15,6 +15,8 @@ from archlint.syntax.interface_values import parse_value
 from archlint.syntax.interfaces import parse_interface
 from archlint.syntax.launch_xml import read_launch_xml
 from archlint.syntax.line_suppressions import suppressions_of_lines
+from archlint.syntax.xacro_expansion import expand
+from archlint.syntax.xacro_expressions import argument, may_be_same
 from archlint.systems.overrides import key_matches
 from archlint.workspace.cmake import parse_cmake
 from archlint.workspace.comments import without_comments
@@ -127,3 +129,43 @@ def test_a_name_of_holes():
     assert not pattern_matches("/" + f"a{HOLE}" * 40 + "b", "/" + "a" * 200)
     assert pattern_matches("/" + f"a{HOLE}" * 40 + "b", "/" + "a" * 200 + "b")
     assert not pattern_matches(f"/a{HOLE}a", "/a")
+
+
+def _expanded(*lines: str):
+    return expand("arm.xacro", f"<robot>{''.join(lines)}</robot>", lambda path, file: None)
+
+
+def _property(number: int, value: str) -> str:
+    return f'<xacro:property name="p{number}" value="{value}"/>'
+
+
+def test_properties_that_each_name_the_next_one_twice():
+    sums = [_property(number, f"${{p{number + 1} + p{number + 1}}}") for number in range(20)]
+    expansion = _expanded(*sums, _property(20, "1"), '<link name="${p0}"/>')
+    assert expansion is not None
+    assert expansion.children[0].attributes == {"name": str(2**20)}
+    texts = [_property(number, f"${{p{number + 1}}}${{p{number + 1}}}") for number in range(60)]
+    expansion = _expanded(*texts, _property(60, "a"), '<link name="${p0}"/>')
+    assert expansion is not None
+    assert expansion.children[0].attributes == {}  # too long to be looked at
+
+
+def test_blocks_that_each_have_the_one_before_twice():
+    block = '<xacro:property name="b{0}"><a>{1}</a><a>{1}</a></xacro:property>'
+    insert = '<xacro:insert_block name="b{}"/>'
+    blocks = [block.format(number, insert.format(number - 1)) for number in range(1, 60)]
+    expansion = _expanded(block.format(0, "<link/>"), *blocks, insert.format(59))
+    assert expansion is not None
+    assert expansion.open
+
+
+def test_parameters_of_a_macro_with_a_quote_that_nothing_closes():
+    macro = f"""<xacro:macro name="m" params="a:={"x" * 5_000}'"><link name="${{a}}"/></xacro:macro>"""
+    expansion = _expanded(macro, "<xacro:m/>")
+    assert expansion is not None
+    assert expansion.open
+
+
+def test_names_with_many_arguments():
+    assert may_be_same("a".join([argument("side")] * 40), "a" * 2_000 + "b")
+    assert not may_be_same(argument("side") + "_wheel", "left_foot")

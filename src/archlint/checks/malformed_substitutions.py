@@ -11,13 +11,12 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch_files.malformed_substitutions import Malformed, MalformedText, malformed_substitutions
-from archlint.launch_files.robot_trees import stops_at_calls
+from archlint.launch_files.robot_trees import Stop, stops_at_calls
 from archlint.launch_files.unknown_xacro_commands import KNOWN_TO_XACRO, UnknownToXacro, unknown_to_xacro
 from archlint.launch_files.unperformed_substitutions import unperformed_substitutions
 from archlint.suggestions import meant, nearest
 
 if TYPE_CHECKING:
-    from archlint.syntax.xacro_expansion import Stop
     from archlint.systems.model import System
 
 

@@ -182,6 +182,7 @@ __all__ = [
     "Flaw",
     "RefusedTree",
     "Robot",
+    "Stop",
     "expansion_of",
     "named_descriptions",
     "place_of",

@@ -77,14 +77,24 @@ class _Macro:
     file: str
 
 
+@dataclass(frozen=True)
+class _Block:
+    """Elements that are put in wherever they are asked for, and how many they are with all below them."""
+
+    rows: Sequence[Made]
+    size: int
+
+
 @dataclass
 class _Symbols:
     """The properties, parameters and blocks that are known at a place."""
 
     outer: _Symbols | None = None
-    values: dict[str, str | int | float | None] = field(default_factory=dict)
-    blocks: dict[str, list[Made] | None] = field(default_factory=dict)
+    values: dict[str, Value] = field(default_factory=dict)
+    blocks: dict[str, _Block | None] = field(default_factory=dict)
     asked: list[str] = field(default_factory=list)
+    settled: set[str] = field(default_factory=set)
+    """The properties whose text has been worked out: xacro does that where one is asked for first, and keeps it."""
 
     def value_of(self, name: str) -> Value:
         here: _Symbols | None = self
@@ -93,15 +103,17 @@ class _Symbols:
         if here is None or name in here.asked:
             return None
         value = here.values[name]
-        if not isinstance(value, str):
+        if not isinstance(value, str) or name in here.settled:
             return value
         here.asked.append(name)
         try:
-            return _literal(evaluated(value, here))
+            value = here.values[name] = _literal(evaluated(value, here))
+            here.settled.add(name)
         finally:
             here.asked.pop()
+        return value
 
-    def block_of(self, name: str) -> list[Made] | None:
+    def block_of(self, name: str) -> _Block | None:
         here: _Symbols | None = self
         while here is not None and name not in here.blocks:
             here = here.outer
@@ -184,8 +196,11 @@ class _Expanding:
                 self._define(element, file, perhaps=perhaps)
             case "insert_block":
                 block = symbols.block_of(str(evaluated(element.attributes.get("name", ""), symbols)))
-                self.open |= block is None
-                return [replace(row, perhaps=row.perhaps or perhaps) for row in block or ()]
+                self.left -= 0 if block is None else block.size
+                if block is None or self.left < 0:
+                    self.open = True
+                    return ()
+                return [replace(row, perhaps=row.perhaps or perhaps) for row in block.rows]
             case "arg":
                 pass
             case _:
@@ -206,15 +221,18 @@ class _Expanding:
         name, scope = element.attributes.get("name", ""), element.attributes.get("scope")
         target = symbols.top if scope == "global" else (symbols.outer or symbols) if scope == "parent" else symbols
         if "value" not in element.attributes and "default" not in element.attributes:
-            target.blocks[name] = None if perhaps else self.below(element, file, symbols, perhaps=perhaps)
+            before = self.left
+            rows = None if perhaps else self.below(element, file, symbols, perhaps=perhaps)
+            target.blocks[name] = None if rows is None else _Block(rows, before - self.left)
             return
         is_default = "value" not in element.attributes
         if is_default and name in target.values:
             return
-        value: str | int | float | None = element.attributes["default" if is_default else "value"]
+        value: Value = element.attributes["default" if is_default else "value"]
         if scope is not None or element.attributes.get("lazy_eval") == "false":
             value = evaluated(str(value), symbols)
         target.values[name] = None if perhaps or "remove" in element.attributes else value
+        target.settled.discard(name)
 
     def _define(self, element: Element, file: str, *, perhaps: bool) -> None:
         name = element.attributes.get("name", "").removeprefix(_XACRO)
@@ -242,13 +260,15 @@ class _Expanding:
             else:
                 self.open = True  # xacro stops here
                 return ()
+        before = self.left
         given: Iterator[Made] = iter(self.below(element, file, symbols, perhaps=perhaps))
+        size = before - self.left
         for block in macro.blocks:
             child = next(given, None)
             if child is None:
                 self.open = True
                 return ()
-            inner.blocks[block.lstrip("*")] = child.children if block.startswith("**") else [child]
+            inner.blocks[block.lstrip("*")] = _Block(child.children if block.startswith("**") else [child], size)
         return self.below(macro.element, macro.file, inner, perhaps=perhaps)
 
     def _stop(self, name: str, macro: _Macro | None, element: Element, file: str) -> Stop | None:

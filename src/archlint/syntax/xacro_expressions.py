@@ -16,6 +16,9 @@ Value: TypeAlias = "str | int | float | bool | None"
 _PART = re.compile(r"\$(\$+[{(])|\$\{([^}]*)\}|\$\(([^)]*)\)|[^$]+|\$")
 _ARGUMENT = re.compile("\ue000([^\ue001]*)\ue001")
 _LONGEST = 300
+_LONGEST_RESULT = 2_000
+_MOST_HOLES = 3
+"""In how many places of a text arguments are looked for in another: each multiplies what a comparison takes."""
 _LARGEST = 1e9
 _OPERATORS: Mapping[type[ast.operator], Callable[[float, float], float]] = {
     ast.Add: operator.add,
@@ -58,7 +61,11 @@ def evaluated(text: str, scope: Scope) -> Value:
             values.append(match[0])
     if len(values) == 1:
         return values[0]
-    return None if None in values else "".join(str(value) for value in values)
+    return None if None in values else _short("".join(str(value) for value in values))
+
+
+def _short(text: str) -> str | None:
+    return text if len(text) <= _LONGEST_RESULT else None
 
 
 def argument(name: str) -> str:
@@ -80,7 +87,10 @@ def may_be_same(name: str, other: str) -> bool:
     if name == other or (has_argument(name) and has_argument(other)):
         return True
     with_holes, plain = (name, other) if has_argument(name) else (other, name)
-    return has_argument(with_holes) and _pattern(with_holes).fullmatch(plain) is not None
+    if not has_argument(with_holes):
+        return False
+    is_long = len(_ARGUMENT.findall(with_holes)) > _MOST_HOLES
+    return is_long or _pattern(with_holes).fullmatch(plain) is not None
 
 
 def _pattern(with_holes: str) -> re.Pattern[str]:
@@ -145,7 +155,7 @@ def _joined(op: type[ast.operator], left: Value, right: Value) -> Value:
         return None
     if isinstance(left, str) or isinstance(right, str):
         both = isinstance(left, str) and isinstance(right, str)
-        return f"{left}{right}" if both and op is ast.Add else None
+        return _short(f"{left}{right}") if both and op is ast.Add else None
     work = _OPERATORS.get(op)
     result = None if work is None else work(left, right)
     return result if result is not None and abs(result) < _LARGEST else None
