@@ -182,6 +182,20 @@ def test_a_module_that_find_packages_leaves_out(told: Told, files: dict[str, str
     assert told({"robot/setup.py": SEARCHES, PROBE: MODULE, **files}, "API005") == told_of
 
 
+@pytest.mark.parametrize(
+    ("files", "told_of"),
+    [
+        ({}, []),
+        ({"robot/setup.py": SETUP.replace("['robot']", "['robot', 'robot.probes']")}, [PROBE]),
+        ({"robot/robot/driver.py": "from robot.probes.probe import Probe\n\n\ndef main():\n    Probe()\n"}, [PROBE]),
+        ({"robot/README.md": "Run it: `python3 robot/probes/probe.py`\n"}, [PROBE]),
+    ],
+    ids=["left out", "in the list", "the program needs it", "told to run"],
+)
+def test_a_module_whose_folder_a_list_of_packages_lacks(told: Told, files: dict[str, str], told_of: list[str]):
+    assert told({"robot/robot/probes/__init__.py": "", PROBE: MODULE, **files}, "API005") == told_of
+
+
 SONAR = "robot/robot/sonar.py"
 OTHER = """<package format="3"><name>arm</name><exec_depend>robot</exec_depend>
 <export><build_type>ament_python</build_type></export></package>"""

@@ -139,9 +139,9 @@ def _is_spare_program(workspace: WorkspaceIndex, file: str) -> bool:
 
 def _is_left_out(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether the setup.py of a package that installs programs leaves a module out, as ``find_packages()`` does where
-    there is no ``__init__.py``, and nothing that runs imports it."""
+    there is no ``__init__.py`` and a list does that lacks its folder, and nothing that runs imports it."""
     installs = workspace.installs.get(workspace.package_of(file) or "")
-    if installs is None or installs.python is None or not installs.python.searched or not installs.executables:
+    if installs is None or installs.python is None or not installs.executables:
         return False
     if installs.open_executables or installs.open_files or installs.python.has(file) or not _is_below(installs, file):
         return False
