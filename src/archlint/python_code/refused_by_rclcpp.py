@@ -33,6 +33,8 @@ _OF_VERSIONS = (
     *("RCLCPP_VERSION_GTE", "RCLCPP_VERSION_MAJOR"),
 )
 """Words of files that hold code for several distributions."""
+_ASKS_VERSION = r"^[ \t]*#[ \t]*(?:if|ifdef|ifndef|elif)\b.*(?:FOXY|GALACTIC|HUMBLE|IRON|JAZZY|KILTED|ROLLING)"
+"""A condition of the preprocessor that does, whatever its macro is called: ``#ifdef POST_FOXY``."""
 
 
 @dataclass(frozen=True)
@@ -86,7 +88,9 @@ def is_judged(workspace: WorkspaceIndex, path: str) -> bool:
     """Whether a file is code that is in use, and that is for one distribution alone."""
     if workspace.roles.is_test(path) or is_aside(workspace, path):
         return False
-    return not any(workspace.code.mentions(path, word) for word in _OF_VERSIONS)
+    if any(workspace.code.mentions(path, word) for word in _OF_VERSIONS):
+        return False
+    return not workspace.tree.lines_with(path, _ASKS_VERSION)
 
 
 def _asked(workspace: WorkspaceIndex, path: str) -> _Asked:
