@@ -92,6 +92,19 @@ def test_a_program_that_is_commented_out_in_the_build_is_information(findings, f
 
 
 @pytest.mark.parametrize(
+    ("module", "help"),
+    [
+        ("robot.driver", "remove the node, or take the marks of the comment away"),
+        ("robot.engine", "remove the node: that line is of a module 'robot.engine', which does not exist"),
+    ],
+)
+def test_a_program_in_a_comment_whose_module_is_gone(findings, module: str, help: str):
+    setup = SETUP.replace("['talker =", f"[\n# 'driver = {module}:main',\n'talker =")
+    (told,) = findings("LCH001", node(exec="driver"), **{"setup.py": setup, "robot/driver.py": "def main(): ..."})
+    assert told.help == help
+
+
+@pytest.mark.parametrize(
     ("package", "help"),
     [
         ("turtlesim", "give this package a name of its own, so that launch finds that of ROS"),

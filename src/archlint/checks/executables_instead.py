@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.checks.packages import is_ignored_by_cmake
-from archlint.packaging.commented_out import commented_out_in
+from archlint.packaging.commented_out import absent_module_in_comment, commented_out_in
 from archlint.packaging.entry_points import is_empty, starts_nothing
 from archlint.packaging.unbuilt_programs import unbuilt_source
 from archlint.ros.released_programs import owner_of_program, programs_of
@@ -93,6 +93,8 @@ def _on_file(installs: Installs, name: str, workspace: WorkspaceIndex, known: Se
         return Advice(did_you_mean(name, known), f"install {there[0]} in {build}")
     if file := commented_out_in(workspace, installs.build_files, name):
         help = "remove the node, or take the marks of the comment away"
+        if (module := absent_module_in_comment(workspace, installs, file, name)) is not None:
+            help = f"remove the node: that line is of a module '{module}', which does not exist"
         return Advice(f": its lines in {file} are a comment", help, is_on_purpose=True)
     stems = {name, name.removesuffix("_node")} - set(map(stem_of, installed_by(workspace, installs).values()))
     meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]

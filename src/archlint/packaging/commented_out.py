@@ -13,6 +13,7 @@ from archlint.workspace.comments import xml_comments
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import Installs
     from archlint.workspace.model import Package
 
 
@@ -22,6 +23,18 @@ def commented_out_in(workspace: WorkspaceIndex, files: Sequence[str], program: s
     name = re.escape(program)
     line = re.compile(rf"""^[ \t]*#.*(?:\badd_executable[ \t]*\([ \t]*{name}\b|['"]{name}[ \t]*=)""", re.MULTILINE)
     return next((file for file in files if line.search(workspace.tree.text(file) or "")), None)
+
+
+def absent_module_in_comment(workspace: WorkspaceIndex, installs: Installs, file: str, program: str) -> str | None:
+    """The module that such an entry names, where the package has no file of it."""
+    entry = re.compile(rf"""^[ \t]*#.*['"]{re.escape(program)}[ \t]*=[ \t]*(?P<module>[\w.]+)[ \t]*:""", re.MULTILINE)
+    written = entry.search(workspace.tree.text(file) or "")
+    if written is None:
+        return None
+    path = written["module"].replace(".", "/")
+    ends = (f"/{path}.py", f"/{path}/__init__.py")
+    there = workspace.tree.files_below(installs.folder or ".")
+    return None if any(f"/{other}".endswith(ends) for other in there) else written["module"]
 
 
 @once
@@ -46,4 +59,4 @@ def is_dependency_taken_out(workspace: WorkspaceIndex, package: Package, name: s
     return name in _taken_out(workspace).get(package.relative, ())
 
 
-__all__ = ["commented_out_in", "is_dependency_taken_out"]
+__all__ = ["absent_module_in_comment", "commented_out_in", "is_dependency_taken_out"]
