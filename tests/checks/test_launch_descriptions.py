@@ -175,6 +175,28 @@ def test_an_action_that_nothing_adds(findings):
     assert told.severity is Severity.INFO
 
 
+LATER = "later = {}\n    return LaunchDescription([talker])"
+
+
+@pytest.mark.parametrize(
+    ("later", "help"),
+    [
+        ("TimerAction(period=3.0, actions=[talker])", "(), in place of 'talker', which it starts, or delete it"),
+        (
+            "RegisterEventHandler(OnProcessStart(target_action=talker, on_start=[LogInfo(msg='it runs')]))",
+            "(), or delete it",
+        ),
+    ],
+)
+def test_an_action_for_another_one_that_nothing_adds(findings, later: str, help: str):
+    """To add it beside the other would start that twice."""
+    text = FILE.replace("LogInfo", "LogInfo, RegisterEventHandler, TimerAction").replace(
+        "from launch_ros", "from launch.event_handlers import OnProcessStart\nfrom launch_ros"
+    )
+    (told,) = findings("LCH008", **{"launch/it.launch.py": text.format(given="", rest=LATER.format(later))})
+    assert told.help == f"put 'later' into the list of LaunchDescription{help}"
+
+
 OTHER = "talker = Node(package='robot', executable='listener')"
 
 

@@ -275,7 +275,8 @@ def _said(wrong: WrongDescription) -> tuple[str, str]:
             return text, f"remove the parameter '{wrong.given}', or give it a default"
         case Wrong.NOT_ADDED:
             text = f"nothing adds '{wrong.given}' to the launch description, so that launch never runs this {wrong.of}"
-            return text, f"put '{wrong.given}' into the list of LaunchDescription(), or delete it"
+            whose = f", in place of '{wrong.wanted}', which it starts" if wrong.wanted else ""
+            return text, f"put '{wrong.given}' into the list of LaunchDescription(){whose}, or delete it"
         case Wrong.OVERWRITTEN:
             text = (
                 f"this {wrong.of} is lost: before it is added, line {wrong.wanted} gives '{wrong.given}' another action"

@@ -149,10 +149,17 @@ def _displayed(value: facts.Expr) -> Iterator[facts.Expr]:
             yield value
 
 
+def listed_in(value: facts.Expr) -> set[str]:
+    """The variables that are elements of a list anywhere in a value."""
+    lists = everything_in([value], facts.Sequence)
+    return {element.variable for each in lists for element in each.elements if element.variable}
+
+
 __all__ = [
     "has_action_for",
     "is_for_several_distros",
     "listed_as",
+    "listed_in",
     "may_read_argument",
     "names_from_launch",
     "started_programs",

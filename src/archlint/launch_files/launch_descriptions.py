@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.launch.files import GENERATE
-from archlint.launch_files.launch_code import names_from_launch
+from archlint.launch_files.launch_code import listed_in, names_from_launch
 from archlint.launch_files.opaque_functions import wrong_functions
 from archlint.launch_files.overwritten_actions import overwritten_actions
 from archlint.launch_files.unread_arguments import first_text, may_be_read
@@ -298,7 +298,14 @@ class _Code:
                 match assign.targets:
                     case [facts.Name(id=name, span=span)] if names[name] == 1 and not name.startswith("_"):
                         declared = _declared(assign.value) if self.made(assign.value) == _DECLARATION else ""
-                        yield WrongDescription(Wrong.NOT_ADDED, span, name, self.made(assign.value), argument=declared)
+                        twice = min(self._described(function) & listed_in(assign.value), default="")
+                        action = self.made(assign.value)
+                        yield WrongDescription(Wrong.NOT_ADDED, span, name, action, wanted=twice, argument=declared)
+
+    def _described(self, function: facts.Function) -> set[str]:
+        """The variables in the list of a launch description that a function makes."""
+        calls = (call for call in parts_of(function, facts.Call) if self.made(call) == "LaunchDescription")
+        return {name for call in calls for given in call.args for name in listed_in(given.value)}
 
     def _has_switches(self, function: facts.Function) -> bool:
         """Whether a function adds actions where variables say so that somebody sets by hand: ``if with_camera:``.  What
