@@ -191,6 +191,20 @@ def test_a_callback_that_code_calls_with_something_else(judge: Judge):
     judge("MSG003", CALLED.format(raw="", call="", here="  # here"))
 
 
+@pytest.mark.parametrize(
+    ("call", "here"),
+    [
+        ("self.changed.connect(self.on_word)", ""),
+        ("Thread(target=self.on_word, args=(['start'],)).start()", ""),
+        ("print('on_word')", "  # here"),
+        ("self.create_subscription(String, 'other', self.on_word, 10)", "  # here"),
+        ("self.changed.connect(self.on_words)", "  # here"),
+    ],
+)
+def test_a_callback_that_others_may_call(judge: Judge, call: str, here: str):
+    judge("MSG003", CALLED.format(raw="", call=call, here=here))
+
+
 def test_a_callback_that_gets_the_bytes(judge: Judge):
     judge("MSG003", CALLED.format(raw=", raw=True", call="", here=""))
 

@@ -1037,3 +1037,34 @@ def test_a_workspace_for_a_distribution_whose_messages_are_not_known(judge: Judg
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(text)
     judge("MSG001", OLD.format(mark="  # here" if told else ""))
+
+
+SIGNAL = """
+    from PyQt5.QtCore import pyqtSignal
+    from rclpy.node import Node
+    from std_msgs.msg import String
+
+
+    class Window(Node):
+        changed = pyqtSignal(object)
+
+        def __init__(self):
+            super().__init__('window')
+            self.create_subscription(String, 'state', self.show, 10)
+            {line}
+
+        def show(self, state):
+            print(state.name){mark}
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("self.changed.connect(self.show)", False),
+        ("self.changed.connect(self.close)", True),
+        ("self.create_subscription(String, 'other', self.show, 10)", True),
+    ],
+)
+def test_a_callback_that_a_signal_may_call_with_something_else(judge: Judge, line: str, told: bool):
+    judge("MSG001", SIGNAL.format(line=line, mark="  # here" if told else ""))

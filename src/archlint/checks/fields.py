@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint import suggestions
 from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.pinned import is_for_older_ros
+from archlint.analysis.source_code import source_code
 from archlint.checks.dropped_messages import dropped_message_findings
 from archlint.checks.folding import folds, package_around, with_others
 from archlint.checks.registry import Options, finding, rule
@@ -17,6 +18,7 @@ from archlint.checks.uncalled import unless_uncalled
 from archlint.checks.wrong_keywords import outcome_of_keyword
 from archlint.finding import Related
 from archlint.model import NAMED
+from archlint.python_code.handed_functions import handed_elsewhere
 from archlint.suggestions import listed, nearest
 
 if TYPE_CHECKING:
@@ -55,6 +57,8 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
             )
             reported.update(hop.call for _, hop in wrong)
             continue
+        if _may_be_of_another_caller(system, missing):
+            continue
         if len(missing) == len(uses[place]):
             yield from unless_uncalled(system, _unknown_field(system, missing[0], keyword))
             continue
@@ -69,6 +73,16 @@ def _is_judged(workspace: WorkspaceIndex | None, use: FieldUse) -> bool:
     """Whether the fields of a message are known: where the workspace is for Foxy, say, only those of its own are."""
     own = workspace is not None and use.type.partition("/")[0] in workspace.packages
     return own or not is_for_older_ros(workspace)
+
+
+def _may_be_of_another_caller(system: System, missing: Sequence[FieldUse]) -> bool:
+    """Whether a callback is given a message that lacks a field, and its function to others, too, such as a signal of
+    Qt, which may call it with what has the field."""
+    if system.workspace is None or not any(use.delivered is not None for use in missing):
+        return False
+    place = missing[0].place
+    function = source_code(system).function_at(place)
+    return function is not None and function.name in (handed_elsewhere(system.workspace, place.file) or ())
 
 
 def _wrongly_passed(

@@ -14,6 +14,7 @@ from archlint.analysis.source_code import source_code
 from archlint.model import Role
 from archlint.place import Place
 from archlint.python_code.field_operations import deeds_in, goes_wrong
+from archlint.python_code.handed_functions import handed_elsewhere
 from archlint.python_code.unassigned_attributes import called_in
 from archlint.records import dataclass
 from archlint.syntax import facts
@@ -104,11 +105,11 @@ def _type_of(callback: Callback) -> str | None:
 
 
 def _is_only_a_callback(workspace: WorkspaceIndex, file: str, function: facts.Function) -> bool:
-    """Whether no code of its file calls a function, and it is one of Python."""
-    called = called_in(workspace, file)
-    if called is None or workspace.code.kind_of(file) != "python":
+    """Whether no code of its file calls a function or gives it to others that may, and it is one of Python."""
+    called, handed = called_in(workspace, file), handed_elsewhere(workspace, file)
+    if called is None or handed is None or workspace.code.kind_of(file) != "python":
         return False
-    return function.name not in called
+    return function.name not in called | handed
 
 
 @once_for
