@@ -132,6 +132,21 @@ def test_a_rule_of_the_team_and_dependencies_for_others(judge: Judge, tag: str):
 
 
 @pytest.mark.parametrize(
+    ("condition", "told"),
+    [
+        ("$RUN_MODE == pc", 0),
+        ("$ROS_VERSION == 2 and $RUN_MODE == pc", 0),
+        ("$ROS_VERSION == 2 or $RUN_MODE == pc", 1),
+        ("$ROS_VERSION == 2", 1),
+        ("$ROS_DISTRO == humble", 1),
+    ],
+)
+def test_a_dependency_that_only_some_machines_ask_for(judge: Judge, condition: str, told: int):
+    assert len(judge(f'<depend condition="{condition}">nav_msg</depend>')) == told
+    assert len(judge(f'<exec_depend condition="{condition}">our_gui</exec_depend>')) == told
+
+
+@pytest.mark.parametrize(
     ("file", "text", "told"),
     [
         ("setup.sh", "cat > rules.yaml <<END\nOpenCV:\n  ubuntu: [python3-opencv]\nEND\n", 0),

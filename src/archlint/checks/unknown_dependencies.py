@@ -21,7 +21,7 @@ from archlint.packaging.library_imports import imports_beside_nodes
 from archlint.ros import packages, rosdep
 from archlint.ros.mistaken_dependencies import Mistake, Mistaken, mistaken, modules_of_pip, of_python_2
 from archlint.suggestions import distance
-from archlint.workspace.manifest import condition_holds
+from archlint.workspace.manifest import condition_holds, is_up_to_the_machine
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
@@ -51,7 +51,8 @@ def _of_manifest(workspace: WorkspaceIndex, package: Package, options: Options) 
         return
     there = packages.table().names | workspace.packages.keys()
     known = there.union(rosdep.keys(), options.external)
-    first = {d.name: d for d in reversed(package.dependencies) if condition_holds(d.condition)}
+    asked = (d for d in reversed(package.dependencies) if condition_holds(d.condition))
+    first = {d.name: d for d in asked if not is_up_to_the_machine(d.condition)}
     for dependency in sorted(first.values(), key=lambda d: d.line):
         outdated = of_python_2(dependency.name)
         if dependency.name not in known:

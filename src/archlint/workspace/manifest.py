@@ -180,6 +180,17 @@ def condition_verdict(condition: str | None, environment: dict[str, str] | None 
     return verdict if not rest else True
 
 
+_OF_ROS = frozenset({"ROS_VERSION", "ROS_DISTRO", "ROS_PYTHON_VERSION"})
+"""The variables that an installation of ROS sets."""
+_VARIABLE = re.compile(r"\$(\w+)")
+
+
+def is_up_to_the_machine(condition: str | None) -> bool:
+    """Whether a variable decides a ``condition`` attribute that no installation of ROS sets, such as ``$RUN_MODE``."""
+    variables = _VARIABLE.findall(condition or "")
+    return condition_verdict(condition) is None and not _OF_ROS.issuperset(variables)
+
+
 def _either(tokens: list[str], values: dict[str, str]) -> tuple[bool | None, list[str]]:
     verdict, tokens = _both(tokens, values)
     while tokens and tokens[0] == "or":
