@@ -91,6 +91,36 @@ def test_a_package_of_python_that_nothing_installs(findings, imports):
     assert (finding.place.line, [row.place.line for row in finding.related]) == (3, [3])
 
 
+INTERFACES = f"find_package(rosidl_default_generators REQUIRED)\nrosidl_generate_interfaces(robot msg/A.msg)\n{ALONE}"
+
+
+@pytest.mark.parametrize(
+    "imports", ["from robot.msg import A", "import robot.msg", "from robot import msg, srv", "import robot"]
+)
+def test_the_interfaces_of_a_package_with_the_name_of_a_folder(findings, imports):
+    assert findings("PKG004", **files(imports, INTERFACES, **PACKAGE, **{"msg/A.msg": "int32 a\n"})) == []
+
+
+@pytest.mark.parametrize(
+    "imports",
+    [
+        "from robot.msg import A\nfrom robot.arm_tools import RADIUS",
+        "import robot.arm_tools",
+        "from robot import msg, arm_tools",
+    ],
+)
+def test_a_module_in_a_folder_with_the_name_of_the_interfaces(findings, imports):
+    (finding,) = findings("PKG004", **files(imports, INTERFACES, **PACKAGE, **{"msg/A.msg": "int32 a\n"}))
+    assert finding.message == (
+        "the installed script 'drive.py' imports 'robot.arm_tools', which nothing installs where Python looks: the "
+        "package 'robot' that it finds has the interfaces alone, and the import fails"
+    )
+    assert finding.help == (
+        "rename the folder 'robot', also where it is imported, for rosidl_generate_interfaces() installs a package of "
+        "this name; then install it with ament_python_install_package()"
+    )
+
+
 @pytest.mark.parametrize(
     ("imports", "installed"),
     [

@@ -50,11 +50,20 @@ def _package(rows: list[LeftOutPackage]) -> Finding:
     more = f" and {len(others)} more {kind}{'s' * (len(others) > 1)}" if others else ""
     imports = "import" if others else "imports"
     place = first.needed_at if first.script is None else first.script.place
+    what = f"'{first.name}', a folder that nothing installs where Python looks: the import fails"
+    help = f"find ament_cmake_python, and write ament_python_install_package({first.name})"
+    if first.module:
+        what = f"'{first.module}', which nothing installs where Python looks: the package '{first.name}' that it finds "
+        what += "has the interfaces alone, and the import fails"
+        help = (
+            f"rename the folder '{first.name}', also where it is imported, for rosidl_generate_interfaces() installs a "
+        )
+        help += "package of this name; then install it with ament_python_install_package()"
     return finding(
         "PKG004",
         place,
-        f"{user}{more} {imports} '{first.name}', a folder that nothing installs where Python looks: the import fails",
-        help=f"find ament_cmake_python, and write ament_python_install_package({first.name})",
+        f"{user}{more} {imports} {what}",
+        help=help,
         related=[Related(row.needed_at, f"'{row.name}' is imported here") for row in rows[:_SHOWN]],
         identity=(first.package, "package", first.name),
         group=(place.file, "package", first.name),

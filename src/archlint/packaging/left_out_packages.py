@@ -2,6 +2,8 @@
 
 Source: ``ament_python_install_package`` of ament_cmake_python, or an ``install()`` into ``PYTHON_INSTALL_DIR``, puts a
 folder of the source where Python looks; a script alone has its own folder on the path, ``lib/PACKAGE``.
+``rosidl_generate_interfaces`` of rosidl_generator_py installs a package of Python with the name of the project, which
+has the interfaces and nothing else.
 """
 
 from __future__ import annotations
@@ -26,6 +28,10 @@ _INSTALLS = frozenset({"ament_python_install_package", "ament_environment_hooks"
 """Words of files that install Python packages, or may say themselves where Python looks."""
 
 
+_GENERATES = "rosidl_generate_interfaces"
+_OF_INTERFACES = frozenset({"msg", "srv", "action"})
+
+
 @dataclass(frozen=True)
 class LeftOutPackage:
     """A folder of Python code that an installed script imports by its name, or a launch file where that is None."""
@@ -35,6 +41,8 @@ class LeftOutPackage:
     package: str
     script: Executable | None
     needed_at: Place
+    module: str = ""
+    """The module that is lacking, where interfaces are generated under the name of the folder: Python finds these."""
 
 
 def packages_of_scripts(workspace: WorkspaceIndex) -> Iterator[LeftOutPackage]:
@@ -65,9 +73,28 @@ def _left_out(
         top = statement.module.partition(".")[0]
         if level or top in told or not _is_own(workspace, installs, statement):
             continue
+        module = ""
+        if top == installs.package and _GENERATES in installs.words:
+            module = _beside_interfaces(workspace, installs, statement)
+            if not module:
+                continue
         told.add(top)
         folder = posixpath.normpath(posixpath.join(installs.folder, top))
-        yield LeftOutPackage(top, folder, installs.package, script, Place(path, *statement.span))
+        yield LeftOutPackage(top, folder, installs.package, script, Place(path, *statement.span), module)
+
+
+def _beside_interfaces(
+    workspace: WorkspaceIndex, installs: Installs, statement: facts.Import | facts.ImportFrom
+) -> str:
+    """The module of the source that an import names; empty where it is content with the interfaces."""
+    top, *inside = statement.module.split(".")
+    if inside:
+        return "" if inside[0] in _OF_INTERFACES else statement.module
+    names = [name for name, _ in statement.names] if isinstance(statement, facts.ImportFrom) else []
+    folder = posixpath.join(installs.folder, top)
+    paths = ((name, posixpath.normpath(posixpath.join(folder, name))) for name in names if name not in _OF_INTERFACES)
+    there = (name for name, path in paths if workspace.tree.is_file(f"{path}.py") or workspace.tree.is_folder(path))
+    return next((f"{top}.{name}" for name in there), "")
 
 
 def _is_own(workspace: WorkspaceIndex, installs: Installs, statement: facts.Import | facts.ImportFrom) -> bool:
