@@ -1623,7 +1623,6 @@ def test_a_package_with_the_initials_of_an_unknown_one(lint: Lint, declared: str
         (".gitignore", "build/\n/src/secret_driver/\n", "does not declare"),
         (".gitignore", "build/\nsrc/*/config\n", "neither in this workspace"),
         ("secret", "", "does not declare"),  # the place of a repository, of which it may have the name of the maker
-        ("ros2-hidden", "", "does not declare"),  # nobody knows what is in a repository that is not there
         ("README.md", "", "neither in this workspace"),
         ("COLCON_DEFAULTS", "", "neither in this workspace"),
         ("sensor_msgs", "", "neither in this workspace"),
@@ -1635,6 +1634,16 @@ def test_a_package_of_a_repository_that_is_not_there(lint: Lint, path: str, text
     assert (said == "does not declare") is (
         told.help == "add <exec_depend>secret_driver</exec_depend> to talk/package.xml"
     )
+
+
+def test_a_package_that_a_repository_of_which_nothing_is_known_may_bring(lint: Lint):
+    """A name that is wrong stops rosdep: there is no advice to add a line for it."""
+    files = launching(started("secret_driver"), started("nav2_amcl"), started("slam_toolbox"))
+    doubtful, known = lint({**files, "ros2-hidden": ""})
+    assert known.message.endswith("uses 2 packages that its package.xml does not declare: nav2_amcl, slam_toolbox")
+    assert known.help.startswith("add a line like <exec_depend>nav2_amcl</exec_depend> for each to ")
+    assert doubtful.message.endswith("starts a node of 'secret_driver', which its package.xml does not declare")
+    assert doubtful.help == "declare it in package.xml if the repository 'ros2-hidden' has it, else correct the name"
 
 
 def test_the_place_of_a_repository_with_the_beginning_of_a_name(lint: Lint, tmp_path: Path):

@@ -16,7 +16,12 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.strangers import strangers
 from archlint.checks.unknown_dependencies import names_meant
-from archlint.connections.parts_elsewhere import is_fetched, may_be_in_a_submodule, may_come_with_another
+from archlint.connections.parts_elsewhere import (
+    is_fetched,
+    may_be_in_a_submodule,
+    may_come_with_another,
+    unknown_repository,
+)
 from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
 from archlint.packaging.absent_packages import is_told_as_another
@@ -54,8 +59,8 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
         # What a comment allows is a finding of its own, for the comment to hide.
         shown = [use for use in uses if use not in hidden and not _closes_circle(use, workspace, folder, used)]
         for group in (*_by_whether_they_run(workspace, shown), *([use] for use in hidden)):
-            if group:
-                yield _undeclared(workspace, workspace.manifests[folder], group)
+            for told in _by_repository(workspace, group):
+                yield _undeclared(workspace, workspace.manifests[folder], told)
 
 
 def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
@@ -84,6 +89,22 @@ def _by_whether_they_run(workspace: WorkspaceIndex, uses: Sequence[Use]) -> tupl
     a finding of their own, which is counted and not shown, for who starts the package's programs needs none of them."""
     running = {use.needed for use in uses if not nothing_runs(workspace, use.place.file)}
     return [use for use in uses if use.needed in running], [use for use in uses if use.needed not in running]
+
+
+def _by_repository(workspace: WorkspaceIndex, uses: Sequence[Use]) -> list[list[Use]]:
+    """The uses of packages that are known, or of which something says where they are, and those of packages that may be
+    in a repository which is not here, as anything may: a line in package.xml is no cure for a name that is wrong."""
+    doubtful = {use.needed for use in uses if _unknown_place(workspace, use.needed)}
+    parts = ([use for use in uses if (use.needed in doubtful) is doubt] for doubt in (False, True))
+    return [part for part in parts if part]
+
+
+def _unknown_place(workspace: WorkspaceIndex, name: str) -> str:
+    """The repository of which nobody knows what is in it that a package may be in, where it is nowhere else."""
+    known = name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
+    if known or is_fetched(workspace, name) or may_come_with_another(workspace, name):
+        return ""
+    return unknown_repository(workspace, name)
 
 
 def _spare(workspace: WorkspaceIndex, file: str) -> int:
@@ -170,6 +191,10 @@ def _misspelt(workspace: WorkspaceIndex, package: Package, needed: str) -> Depen
 
 def _help(workspace: WorkspaceIndex, package: Package, by_needed: Mapping[str, Sequence[Use]]) -> str:
     needed = sorted(by_needed)
+    repository = _unknown_place(workspace, needed[0])
+    if repository:
+        each, name = ("it", "the name") if len(needed) == 1 else ("each", "each name")
+        return f"declare {each} in package.xml if the repository '{repository}' has it, else correct {name}"
     if not package.in_export.keys().isdisjoint(needed):
         return f"declare {'it' if len(needed) == 1 else 'each'} outside of <export>: entries inside it do not count"
     wrong = {name: entry for name in needed if (entry := _misspelt(workspace, package, name)) is not None}

@@ -105,14 +105,27 @@ def is_fetched(workspace: WorkspaceIndex, package: str) -> bool:
     return any(_plain(name) in _repositories(workspace) for name in (package, *_beginnings(package)))
 
 
+def unknown_repository(workspace: WorkspaceIndex, package: str) -> str:
+    """The repository that is not here, and of which nobody knows what is in it, where nothing else tells where a
+    package may be; empty where something does, or there is none."""
+    unknown = _unknown_repositories(workspace)
+    named = _has_a_place(workspace, package) or _is_in_a_named_submodule(workspace, package)
+    return unknown[0] if unknown and not named else ""
+
+
 def may_be_in_a_submodule(workspace: WorkspaceIndex, package: str) -> bool:
     """Whether the name of a git submodule that is not checked out, or of a repository that a script clones, has the
     word with which that of a package begins: ``arm_ros`` may bring ``arm_description``, and so may ``acme_arm``.  Or
     whether it has the whole name of the package in it: ``ros-imu-bno`` brings ``imu_bno``, and ``imu-ros2-bno`` too.
     One that no ``.gitmodules`` names is an empty folder or file, and nobody knows what is in it."""
-    first, *others = words = re.split(r"[_-]", package.lower())
     if _has_a_place(workspace, package) or _unknown_repositories(workspace):
         return True
+    return _is_in_a_named_submodule(workspace, package)
+
+
+def _is_in_a_named_submodule(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether a submodule or repository that is not here has the words of a package in its own name, or its first."""
+    first, *others = words = re.split(r"[_-]", package.lower())
     absent = _absent_submodules(workspace)
     if others and any({*words}.issubset(re.split(r"[_-]", name.lower())) for name in absent):
         return True
@@ -227,4 +240,5 @@ __all__ = [
     "list_of_repositories",
     "may_be_in_a_submodule",
     "may_come_with_another",
+    "unknown_repository",
 ]
