@@ -256,6 +256,39 @@ def test_a_name_that_no_single_module_beside_offers(
     assert finding.help == "define it, or remove the line"
 
 
+STEER = """
+import rclpy
+
+
+{functions}
+
+
+if __name__ == '__main__':
+    {name}()
+"""
+
+
+@pytest.mark.parametrize(
+    ("functions", "name", "help"),
+    [
+        ("def steer(args=None):\n    rclpy.init(args=args)", "main", "define it, or call what the file has: steer()"),
+        ("def steer(speed):\n    print(speed)", "main", "define it, or remove the line"),
+        ("def maim():\n    rclpy.init()", "main", "write maim"),
+        ("def steer(args=None):\n    rclpy.init(args=args)", "read_keys", "write `from robot.keys import read_keys`"),
+    ],
+    ids=["its own function", "one that needs a value", "almost the same name", "no everyday name"],
+)
+def test_the_main_of_another_program_is_not_meant(
+    findings: Callable[..., list[Finding]], functions: str, name: str, help: str
+) -> None:
+    keys = "import rclpy\n\n\ndef read_keys():\n    pass\n\n\ndef main():\n    rclpy.init()\n"
+    steer = STEER.format(functions=functions, name=name)
+    setup = SETUP.replace("robot.talker:main", "robot.steer:steer")
+    (told,) = findings("API005", **{"setup.py": setup, "robot/steer.py": steer, "robot/keys.py": keys})
+    assert told.message.startswith(f"nothing defines '{name}'")
+    assert told.help == help
+
+
 def test_a_function_that_would_call_itself_for_ever_is_not_meant(judge: Judge) -> None:
     (finding,) = judge("API005", _node("pass") + "\n\ndef test_arm_made():\n    return testArmMade()  # here\n")
     assert finding.help == "define it, or remove the line"

@@ -16,13 +16,20 @@ from archlint.checks.unported import is_part_of_port, told_of_rospy
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.missing_imports import missing_imports
 from archlint.python_code.how_imported import defined_beside, idle_import_with, import_of, interface_meant
-from archlint.python_code.names_meant import exception_meant, first_use, node_class_meant, node_spun
+from archlint.python_code.names_meant import (
+    EVERYDAY,
+    exception_meant,
+    first_use,
+    functions_to_call,
+    node_class_meant,
+    node_spun,
+)
 from archlint.python_code.published_types import is_published_as_another
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
 from archlint.python_code.undefined_beside import stops_a_launch
 from archlint.python_code.undefined_names import Undefined, statements_of_module, undefined_names
-from archlint.suggestions import meant, nearest
+from archlint.suggestions import listed, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
@@ -280,6 +287,8 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         statement = ""  # whatever the publisher sends, it is no message of that type
     if not near and not statement and len(read.name) >= _SHORT and not in_launch_file:
         statement = defined_beside(workspace, read.place.file, read.name)
+    if read.name in EVERYDAY and statement and statement.split()[1].partition(".")[0] in workspace.code.modules:
+        statement = ""
     if not near and not statement and len(read.name) >= _SHORT:
         around = code_of(workspace).function_at(read.place)
         ruled_out = _BUILT_IN if around is None else _BUILT_IN | {around.name}  # to call itself would never end
@@ -301,7 +310,7 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         if statement
         else f"write {near}"
         if near
-        else _OF_ROS_1.get(read.name, "define it, or remove the line")
+        else _OF_ROS_1.get(read.name) or _define(workspace, read)
     )
     hint = meant(f"'{near}'" if near else "")
     return finding(
@@ -314,6 +323,13 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         meant=near,
         fails=True,
     )
+
+
+def _define(workspace: WorkspaceIndex, read: Undefined) -> str:
+    """What is advised of a name that nothing known resembles: one of the file's own functions may be meant."""
+    own = functions_to_call(workspace, read.place.file) if read.called and read.name in EVERYDAY else []
+    instead = f", or call what the file has: {listed([f'{name}()' for name in own])}" if own else ", or remove the line"
+    return f"define it{instead}"
 
 
 _OF_ROS_1 = dict.fromkeys(("roslib", "rospy"), "port the file to rclpy: it is written for ROS 1")

@@ -21,6 +21,20 @@ _SHORT = 3
 """Names of so few letters, ``e`` and ``exc``, are variables."""
 
 
+EVERYDAY = frozenset({"close", "init", "loop", "main", "run", "setup", "shutdown", "spin", "start", "stop", "update"})
+"""Names of functions that any module may have: that another one has it says nothing."""
+
+
+def functions_to_call(workspace: WorkspaceIndex, file: str) -> list[str]:
+    """The functions of a file, outside of its classes, that can be called without a word."""
+    code = workspace.facts_at(file)
+    own = [row for row in (() if code is None else code.body) if isinstance(row, facts.Function)]
+    return [row.name for row in own if all(param.kind in _NOT_NEEDED or param.default for param in row.params)]
+
+
+_NOT_NEEDED = frozenset({"star", "double_star"})
+
+
 def node_class_meant(workspace: WorkspaceIndex, place: Place) -> str | None:
     """The only class of nodes of a file, where a name is called there to make the node that is spun; empty where the
     file has none or several, None for any other name."""
