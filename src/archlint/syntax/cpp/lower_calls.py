@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
@@ -12,7 +12,6 @@ from archlint.syntax.cpp.known_names import (
     DURATIONS,
     ITSELF,
     MAKERS,
-    NUMBER,
     OF_DOUBLES,
     PAIRS,
     PAIRS_MADE_BY,
@@ -23,6 +22,7 @@ from archlint.syntax.cpp.known_names import (
 )
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_methods import MethodLowering
+from archlint.syntax.cpp.lower_objects import OF_NUMBERS
 from archlint.syntax.cpp.names import FunctionScope, Names, Part
 from archlint.syntax.facts import Argument
 
@@ -47,8 +47,6 @@ _PARAMETER_VALUES = frozenset(
     }
 )
 """Methods of ``rclcpp::Parameter`` that give its value."""
-_OF_NUMBERS: dict[str, Callable[[float], float]] = {"BOOL": bool, "DOUBLE": float, "INTEGER": int}
-"""What a parameter's type makes of a number that stands for its default."""
 
 
 class CallLowering(MethodLowering):
@@ -75,7 +73,8 @@ class CallLowering(MethodLowering):
             return self._method_call(function, arguments, span)
         if function.type == "primitive_type":  # int(x)
             values = self.lower_all(arguments.named_children)
-            return values[0] if len(values) == 1 else facts.Opaque("a value", span)
+            is_one = len(values) == 1
+            return self.number(self.source.text(function), values[0], span) if is_one else facts.Opaque("a value", span)
         if function.type in ("identifier", "template_function", "qualified_identifier", "dependent_name"):
             return self._function_call(self.names.parts(function), function, arguments, span)
         return facts.Call(self.lower(function), given(self.lower_all(arguments.named_children)), span)
@@ -209,7 +208,7 @@ class CallLowering(MethodLowering):
             types = self.names.library("rclcpp.Parameter", span)
             return [facts.Attribute(facts.Attribute(types, "Type", span), kind, span)] if kind else []
         if (number := values[0].number) is not None and of_type:
-            convert = _OF_NUMBERS.get(kind)
+            convert = OF_NUMBERS.get(kind)
             other = facts.Opaque("a number of another type", span)
             return [other if convert is None else facts.Literal(convert(number), span)]
         match values[0]:
@@ -220,9 +219,7 @@ class CallLowering(MethodLowering):
             case facts.Sequence(elements=elements) if of_type and not of_type.startswith(("vector<", "array<")):
                 # Braces around what one value is made of.
                 return self._default(part, elements, span) if len(elements) == 1 else [facts.Opaque("a value", span)]
-        if kind not in ("DOUBLE", "INTEGER"):
-            return [values[0]]
-        return [facts.Call(self.names.library(NUMBER, span), given([values[0], facts.Literal(kind, span)]), span)]
+        return [self.number(of_type, values[0], span)]
 
     def _function_call(self, parts: list[Part], function: Node, arguments: Node, span: Span) -> Expr:
         parts = self.names.written(parts)
@@ -274,6 +271,8 @@ class CallLowering(MethodLowering):
         if owner in ("rclcpp.Node", "rclcpp_lifecycle.LifecycleNode") and self.names.is_in_method:
             return self._on(facts.Name("self", span), last, arguments, span, span)
         values = self.lower_all(arguments.named_children)
+        if path == "static_cast" and last.arguments and len(values) == 1:
+            return self.number(self.source.text(last.arguments[0]), values[0], span)
         if path in SAME:
             return values[0] if values else facts.Opaque(path, span)
         if path in DURATIONS or path == "std.chrono.duration":

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import DURATIONS, IN_PYTHON, INTERFACE_KINDS, MAPS, RATIOS, SEQUENCES, THREADS
+from archlint.syntax.cpp.known_names import (
+    DURATIONS,
+    IN_PYTHON,
+    INTERFACE_KINDS,
+    MAPS,
+    NUMBER,
+    PARAMETER_TYPES,
+    RATIOS,
+    SEQUENCES,
+    THREADS,
+)
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_macros import MacroLowering
 from archlint.syntax.cpp.names import Names, Part
@@ -18,6 +28,9 @@ if TYPE_CHECKING:
 
     from archlint.syntax.cpp.source import SourceText
     from archlint.syntax.facts import Expr, Span
+
+OF_NUMBERS: dict[str, Callable[[float], float]] = {"BOOL": bool, "DOUBLE": float, "INTEGER": int}
+"""What a type makes of a number, by the type of a parameter that it is."""
 
 
 class ObjectLowering(MacroLowering):
@@ -86,6 +99,16 @@ class ObjectLowering(MacroLowering):
         is_double = len(kind) == 1 and kind[0].name in ("double", "float")
         return item if item.number is None or not is_double else facts.Literal(item.number, span)
 
+    def number(self, written: str, value: Expr, span: Span) -> Expr:
+        """A value that is made a number of a type: ``double(3)``, ``static_cast<int>(rate)``."""
+        kind = PARAMETER_TYPES.get("".join(written.split()).removeprefix("std::"), "")
+        convert = OF_NUMBERS.get(kind)
+        if convert is None or (kind == "BOOL" and value.number is None):
+            return value
+        if value.number is not None:
+            return facts.Literal(convert(value.number), span)
+        return facts.Call(self.names.library(NUMBER, span), given([value, facts.Literal(kind, span)]), span)
+
     def is_class(self, parts: list[Part]) -> bool:
         """Whether a type may be a class of the workspace: not one of a library, a message or a pointer."""
         last = parts[-1].name
@@ -151,6 +174,9 @@ class ObjectLowering(MacroLowering):
 
     def _collection(self, last: Part, arguments: Node | None, values: list[Expr], span: Span) -> Expr | None:
         """A container of the standard library; None for anything else."""
+        inner = [] if arguments is None else arguments.named_children
+        if len(inner) == 1 and arguments is not None and arguments.type != inner[0].type == "initializer_list":
+            arguments = inner[0]  # std::vector<double>({1, 2})
         is_listed = arguments is not None and arguments.type == "initializer_list"
         if last.name in SEQUENCES:
             return (
