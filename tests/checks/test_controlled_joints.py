@@ -244,9 +244,12 @@ HARDWARE = """\
 """
 
 
-def _of_hardware(findings, joint: str, before: str = "", **files: str):
+STARTS = '<let name="robot" value="$(find-pkg-share robot)/urdf/robot.urdf.xacro"/>'
+
+
+def _of_hardware(findings, joint: str, before: str = "", launch: str = STARTS, **files: str):
     robot = WHEELS + before + HARDWARE.replace("NAME", joint) + "</robot>\n"
-    return findings("PRM012", **{"urdf/robot.urdf.xacro": robot}, **files)
+    return findings("PRM012", launch, **{"urdf/robot.urdf.xacro": robot}, **files)
 
 
 @pytest.mark.parametrize(
@@ -281,10 +284,16 @@ def test_a_joint_of_hardware_that_the_robot_has_or_may_have(findings, joint: str
 
 def test_a_joint_of_hardware_in_a_part_of_a_robot(findings):
     whole = WHEELS.replace("back_left", "arm") + '<xacro:include filename="robot.urdf.xacro"/></robot>'
-    assert _of_hardware(findings, "arm_wheel_joint", **{"urdf/whole.xacro": whole}) == []
+    launch = STARTS + STARTS.replace("robot.urdf", "whole")
+    assert _of_hardware(findings, "arm_wheel_joint", launch=launch, **{"urdf/whole.xacro": whole}) == []
+
+
+@pytest.mark.parametrize(("launch", "told"), [(STARTS, 1), (STARTS.replace("robot.urdf", "rover.urdf"), 0), ("", 0)])
+def test_a_joint_of_hardware_in_a_description_that_no_launch_file_names(findings, launch: str, told: int):
+    assert len(_of_hardware(findings, "rear_left_wheel_joint", launch=launch)) == told
 
 
 def test_what_hardware_calls_a_joint_and_is_none(findings):
     scaling = '<joint name="speed_scaling"><state_interface name="speed_scaling_factor"/></joint>'
     robot = WHEELS + f'<ros2_control name="robot" type="system">{scaling}</ros2_control></robot>'
-    assert findings("PRM012", **{"urdf/robot.urdf.xacro": robot}) == []
+    assert findings("PRM012", STARTS, **{"urdf/robot.urdf.xacro": robot}) == []

@@ -6,6 +6,7 @@ the controller manager ends.
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -37,12 +38,13 @@ class JointOfNoRobot:
 
 
 def joints_of_no_robot(workspace: WorkspaceIndex) -> Iterator[JointOfNoRobot]:
-    """Every such joint of a description that no other includes, where all joints of the robot are known."""
+    """Every such joint of a description that a launch file names and no other includes, where all joints of the robot
+    are known."""
     expansions = {file: expansion for file in _files(workspace) if (expansion := expansion_of(workspace, file))}
     included = {inner for file, expansion in expansions.items() for inner in expansion.files if inner != file}
     for file, expansion in expansions.items():
         robot = robot_of(expansion)
-        if file in included or robot.open or not robot.joints:
+        if file in included or robot.open or not robot.joints or not _is_launched(workspace, file):
             continue
         known = [joint.name for joint in robot.joints]
         for element in (row for system in expansion.children if system.tag == _SYSTEM for row in system.children):
@@ -51,6 +53,12 @@ def joints_of_no_robot(workspace: WorkspaceIndex) -> Iterator[JointOfNoRobot]:
                 continue
             near = nearest(shown(name), [shown(other) for other in known]) or ""
             yield JointOfNoRobot(place_of(element), shown(name), file, near)
+
+
+def _is_launched(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a launch file has the name of a description: another one may be left over from an earlier robot."""
+    name = posixpath.basename(file)
+    return any(workspace.code.mentions(path, name) for path in workspace.launch_files.all())
 
 
 def _files(workspace: WorkspaceIndex) -> list[str]:
