@@ -2,7 +2,8 @@
 
 xacro reads its files with Python's expat and wants all of XML.  TinyXML, which reads the others, passes over more:
 what is inside of a comment, blanks in front of the declaration, an ``&`` that begins no entity, and what stands behind
-the document; in models and worlds, tags such as ``<?ignore>`` and ``<?>``, too.
+the document; in models and worlds, tags such as ``<?ignore>`` and ``<?>``, too, and what stands in front of the first
+element, unless a declaration follows it.
 """
 
 from __future__ import annotations
@@ -25,6 +26,10 @@ _LARGEST = 500_000
 """Characters of what people write by hand."""
 _UNKNOWN_TAG = re.compile(r"<\?(?!xml\s)[^>]*>")
 """What TinyXML has no meaning for, and skips up to the bracket; how XML wants such tags, it does not ask."""
+_OF_GAZEBO = (".sdf", _WORLD)
+_NOTES = re.compile(r"\A(\s*(?:<\?xml[^>]*>)?)([^<]*)(?=<[A-Za-z_])")
+"""What stands in front of the first element of a model or world.  Source: ``XMLDocument::ParseDeep`` of TinyXML2, for
+which text is a node like others, and which refuses a declaration behind anything else."""
 _NO_ENTITY = re.compile(r"&(?!(?:lt|gt|amp|quot|apos|#\d+|#x[\da-fA-F]+);)")
 _TEMPLATE = re.compile(r"\{\{|\{%|<%|@\(|@\[|<!DOCTYPE")
 """What a program fills in before anybody reads the file; what a document type declares is not followed here."""
@@ -66,6 +71,8 @@ def malformed_description(name: str, text: str) -> FileProblem | None:
 def _as_tinyxml(name: str, text: str) -> str:
     """A text without what TinyXML passes over, with the same lines."""
     read = replace_xml_comments(text, _blank)
+    if name.endswith(_OF_GAZEBO):
+        read = _NOTES.sub(lambda notes: notes[1] + _blank(notes[2]), read, count=1)
     if name.endswith(ENDINGS):
         end = read.rfind(">") + 1  # behind it no tag ends, and each start there would be held against all that follows
         read = _UNKNOWN_TAG.sub(lambda tag: _blank(tag[0]), read[:end]) + read[end:]
