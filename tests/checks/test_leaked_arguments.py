@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
+
 DRIVER = '<launch><arg name="rviz" default="true"/><let name="shown" value="$(var rviz)"/></launch>'
 PANEL = '<launch><arg name="rviz" default="maybe"/><let name="shown" value="$(var rviz)"/></launch>'
 FILES = {"launch/driver.launch.xml": DRIVER, "launch/panel.launch.xml": PANEL}
@@ -50,6 +52,21 @@ def test_the_first_of_several_includes_that_set_an_argument(findings):
     assert finding.help == "put each of these includes into a <group>, which gives the arguments back at its end"
     assert finding.place.line == 1
     assert 2 in [row.place.line for row in finding.related]
+
+
+def test_a_value_that_all_includes_set_is_what_the_file_wants(findings):
+    launch = include("driver", rviz="false") + include("driver", rviz="false") + include("panel")
+    (finding,) = findings("LCH009", launch, **FILES)
+    assert finding.severity == Severity.INFO
+    assert finding.message == (
+        "'rviz' keeps 'false' behind 2 includes from this one on: panel.launch.xml does not get its own default, "
+        "'maybe'"
+    )
+    assert (
+        finding.help == "pass 'rviz' to panel.launch.xml, too: 'false', or its own default, 'maybe', if that is meant"
+    )
+    passed = launch.replace(include("panel"), include("panel", rviz="false"))
+    assert findings("LCH009", passed, **FILES) == []
 
 
 @pytest.mark.parametrize(("second", "told"), [("right", "instead of 'true'"), ("true", "")])

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds, package_around, with_other_places
 from archlint.checks.launch_arguments import places_of_unknown_arguments
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -75,7 +76,9 @@ def _finding(workspace: WorkspaceIndex, leak: LeakedArgument) -> Finding:
     help = f"put {them} into a {group}, which gives the arguments back at its end"
     if leak.read_late:  # a group has ended by then
         help = f"rename the argument '{name}' in one of the two files: what is included reads it in a timer or an event"
-    return finding(
+    if leak.the_same or (leak.read_late and leak.is_declared_in_vain):
+        help = f"pass '{name}' to {other}, too: {value}, or its own default, {own}, if that is meant"
+    told = finding(
         "LCH009",
         place,
         message,
@@ -84,6 +87,8 @@ def _finding(workspace: WorkspaceIndex, leak: LeakedArgument) -> Finding:
         identity=(name, leak.file),
         group=(*package_around(workspace, leak.include.file), name, "default" if leak.default else "given"),
     )
+    # What all includes set is the value that the launch file wants: it is there by chance, and not a wrong one.
+    return replace(told, severity=Severity.INFO) if leak.the_same else told
 
 
 def _shown(text: str) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.launch.mistakes import LeakedArgument
@@ -28,6 +29,8 @@ class _Given(NamedTuple):
     before: Value | None
     """What it was in front of all of these includes."""
     earlier: tuple[Place, ...]
+    the_same: bool
+    """Whether the earlier ones set it to this value, too."""
 
 
 class _Default(NamedTuple):
@@ -73,10 +76,12 @@ class GivenArguments:
         the configuration in front of it."""
         last = self._given.get(name)
         earlier: tuple[Place, ...] = ()
+        the_same = True
         if last is not None and last.value is before:
             before = last.before
             earlier = tuple(dict.fromkeys((*last.earlier, last.place))) if last.file == file else ()
-        self._given[name] = _Given(value, place, file, include, before, earlier)
+            the_same = last.the_same and known_text(last.value) == known_text(value)
+        self._given[name] = _Given(value, place, file, include, before, earlier, the_same)
 
     @contextmanager
     def passing(self, names: Collection[str]) -> Iterator[None]:
@@ -127,6 +132,8 @@ class GivenArguments:
         if given is not None and given.value is value and given.include not in includes:
             self._result.reach_later.add(given.place)
             leak = self._leak(name, value, own, given.place, place, file, given.include, earlier=given.earlier)
+            if leak is not None and given.the_same and leak.earlier:
+                leak = replace(leak, the_same=True)
             self._note_in_vain(value, leak)
         elif other is not None and other.value is value and other.file != file:
             beside = [include for include in other.includes if include not in includes]

@@ -33,7 +33,8 @@ class LeakedArgument:
     ``given`` is where the ``include`` sets it to ``value``, ``own`` what it would be at ``read`` otherwise, in a file.
     One of a ``default`` is a file's own argument, which another file in the include has declared with another default.
     A value is ``read_late`` if a timer or an event of what is included reads it, too.  ``earlier`` are the places at
-    which includes in front of this one have set it, so that it would be one of their values without this one.
+    which includes in front of this one have set it, so that it would be one of their values without this one; it is
+    ``the_same`` if all of these have set it to this value.
     """
 
     name: str
@@ -46,6 +47,7 @@ class LeakedArgument:
     default: bool = False
     read_late: bool = False
     earlier: tuple[Place, ...] = ()
+    the_same: bool = False
 
     @property
     def is_declared_in_vain(self) -> bool:
