@@ -440,6 +440,17 @@ def test_what_works_in_the_only_distribution_that_a_workspace_is_for(run: Run, t
     assert len(run(text.replace("class Robot", CAMERA + "class Robot"))) == told
 
 
+def test_the_readme_at_the_top_says_more_than_those_of_copied_packages(run: Run, tmp_path: Path):
+    (tmp_path / "README.md").write_text("Made with ROS 2 Humble.\n", encoding="utf-8")
+    (tmp_path / "control").mkdir()
+    (tmp_path / "control" / "README.md").write_text("| Humble | Iron | Rolling |\n", encoding="utf-8")
+    text = source("self.camera = Camera()\n" + TIMER, "def tick(self):\n    rclpy.spin_once(self.camera)\n")
+    text = text.replace("class Robot", CAMERA + "class Robot")
+    assert run(text) == []
+    (tmp_path / "README.md").write_text("A robot.\n", encoding="utf-8")
+    assert len(run(text)) == 1
+
+
 @pytest.mark.parametrize("head", ["def tick(self, request, response):", "def tick(self):"])
 def test_a_node_that_only_a_callback_spins_needs_an_executor_of_its_own(run: Run, head: str):
     """Its groups are its own, so humble lets the spin in; but nothing else would ever run its callbacks."""

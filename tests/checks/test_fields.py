@@ -712,6 +712,20 @@ def test_interfaces_that_are_there_or_elsewhere(judge: Judge, line: str):
     judge("MSG002", f"import rclpy\n{line}\nrclpy.create_node('x')\n")
 
 
+@pytest.mark.parametrize(("readme", "told"), [("For ROS 2 Foxy", False), ("For ROS 2 Humble", True)])
+def test_an_interface_that_an_older_distribution_may_have_had(judge: Judge, tmp_path, readme: str, told: bool):
+    """Foxy's nav2_msgs has RandomCrawl."""
+    (tmp_path / "README.md").write_text(readme)
+    mark = "  # here" if told else ""
+    judge(
+        "MSG002",
+        "import rclpy\n"
+        f"from nav2_msgs.action import RandomCrawl{mark}\n"
+        "from std_msgs.msg import Strin  # here\n"
+        "rclpy.create_node('x')\n",
+    )
+
+
 def test_a_program_whose_node_comes_from_elsewhere(judge: Judge):
     judge(
         "MSG001",
@@ -1028,7 +1042,10 @@ OLD = """
         ({".vscode/settings.json": '{"ros.distro": "foxy"}'}, False),
         ({"Dockerfile": "FROM ros:foxy", ".gitlab-ci.yml": "image: ros:humble"}, True),
         ({"Dockerfile": "FROM ros:humble"}, True),
-        ({"README.md": "FROM ros:foxy"}, True),
+        ({"README.md": "For ROS 2 Foxy"}, False),
+        ({"README.md": "For ROS 2 Galactic", "parts/README.md": "| Humble | Rolling |"}, False),
+        ({"README.md": "For ROS 2 Humble", "parts/README.md": "For ROS 2 Foxy"}, True),
+        ({"README.md": "Foxy or Humble"}, True),
     ],
 )
 def test_a_workspace_for_a_distribution_whose_messages_are_not_known(judge: Judge, tmp_path, files, told: bool):
@@ -1037,6 +1054,12 @@ def test_a_workspace_for_a_distribution_whose_messages_are_not_known(judge: Judg
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(text)
     judge("MSG001", OLD.format(mark="  # here" if told else ""))
+
+
+def test_messages_that_have_lost_nothing_since_foxy(judge: Judge, tmp_path):
+    (tmp_path / "README.md").write_text("For ROS 2 Foxy")
+    source = OLD.replace("nav2_msgs.action import ComputePathToPose", "geometry_msgs.msg import Twist")
+    judge("MSG001", source.replace("ComputePathToPose.Goal()", "Twist()").format(mark="  # here"))
 
 
 SIGNAL = """

@@ -90,6 +90,14 @@ def test_a_node_that_nothing_wakes(judge: Judge, timer: str):
     assert ("; and give the node a timer, without which" in told.help) is (timer == "pass")
 
 
+@pytest.mark.parametrize("distro", ["Foxy", "Galactic"])
+def test_distributions_whose_rclpy_runs_on_after_ctrl_c(judge: Judge, distro: str):
+    """Their handler of the signal wakes the executor and shuts nothing down."""
+    (judge.folder / "README.md").write_text(f"For ROS 2 {distro}.\n", encoding="utf-8")
+    judge("EXE016", program(*SPIN, "finally:", "    node.stop()", "    rclpy.shutdown()"))
+    judge("EXE016", program("rclpy.spin_once(node)", "rclpy.shutdown()", "node.stop()  # here"))
+
+
 def test_a_message_after_the_shutdown(judge: Judge):
     (finding,) = judge("EXE016", program("rclpy.spin_once(node)", "rclpy.shutdown()", "node.stop()  # here"))
     told = "here stop() publishes, which raises an error, and the message is not sent: rclpy is shut down further up"

@@ -122,6 +122,7 @@ def test_what_is_said_of_it(judge: Judge):
     ("distro", "more"),
     [
         ("foxy", ""),
+        ("galactic", ""),
         (
             "humble",
             ", and start with rclpy.init(signal_handler_options=SignalHandlerOptions.NO): rclpy runs on until then",

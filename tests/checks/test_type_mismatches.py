@@ -411,6 +411,14 @@ def _of_programs(root: Path, **sources: str) -> list[Finding]:
     return check(Request((".",), load(root), cached=False, jobs=1)).findings
 
 
+@pytest.mark.parametrize(("distro", "told"), [("Foxy", 0), ("Humble", 1)])
+def test_foxy_accepts_several_types_in_one_process(tmp_path: Path, monkeypatch, distro: str, told: int):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "README.md").write_text(f"For ROS 2 {distro}.\n", encoding="utf-8")
+    lines = "\n".join(HEARS.format(type=kind) for kind in ("Int16", "String"))
+    assert len(_of_programs(tmp_path, both=STEPS.format(kind="Both", name="both", lines=lines))) == told
+
+
 @pytest.mark.parametrize(("name", "severity"), [("listener", Severity.INFO), ("other", Severity.ERROR)])
 def test_of_two_nodes_with_one_name_one_runs(tmp_path: Path, monkeypatch, name: str, severity: Severity):
     """The first step of a lesson hears a String, the second under the same name what the driver says."""

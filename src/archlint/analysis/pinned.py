@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.analysis.kept import once
 from archlint.ros.distros import DISTROS, UBUNTU
@@ -50,6 +50,20 @@ def named_distros(workspace: WorkspaceIndex | None) -> frozenset[str]:
 def is_for_older_ros(workspace: WorkspaceIndex | None) -> bool:
     """Whether a workspace is plainly for a distribution of ROS 2 that is older than all whose interfaces are known."""
     return _is_among(named_distros(workspace), _OLDER, but_not=DISTROS)
+
+
+def knows_interfaces_of(workspace: WorkspaceIndex | None, package: str) -> bool:
+    """Whether the interfaces of a package are those that the workspace is built with: its own are, and others where it
+    is for no distribution older than all whose interfaces are known, by its files or by its README, or where nothing
+    that the package had in Foxy has been removed since."""
+    if workspace is None or package in workspace.packages or package in _GROWN:
+        return True
+    return not is_for_older_ros(workspace) and not is_from_before_humble(workspace)
+
+
+def is_from_before_humble(workspace: WorkspaceIndex) -> bool:
+    """Whether a workspace is for such a distribution and for none that came later, by the evidence below."""
+    return _is_among(_named_or_told(workspace), _OLDER, but_not=_SINCE_HUMBLE)
 
 
 def is_from_before_galactic(workspace: WorkspaceIndex | None) -> bool:
@@ -120,15 +134,26 @@ def may_be_on_focal(workspace: WorkspaceIndex) -> bool:
     its files name none that came later."""
     if not _OLDER.isdisjoint(named_distros(workspace)):
         return True
-    told = _told(workspace)
+    told = _told(workspace) | _names_in(_lines_of_readmes(workspace))
     return named_distros(workspace).isdisjoint(_SINCE_HUMBLE) and not told.isdisjoint(_OLDER)
 
 
+_GROWN = frozenset(
+    {
+        *("action_msgs", "actionlib_msgs", "builtin_interfaces", "composition_interfaces", "diagnostic_msgs"),
+        *("geometry_msgs", "lifecycle_msgs", "nav_msgs", "rcl_interfaces", "rosgraph_msgs", "sensor_msgs"),
+        *("shape_msgs", "statistics_msgs", "std_msgs", "std_srvs", "stereo_msgs", "trajectory_msgs"),
+        "visualization_msgs",
+    }
+)
+"""The packages of common_interfaces and rcl_interfaces that Foxy has: what their interfaces had there they have today,
+with the same types (the branches foxy, humble, jazzy and rolling, compared file by file)."""
 _BEFORE_GALACTIC = frozenset({"dashing", "eloquent", "foxy"})
 """The distributions whose ``Node`` of launch took ``node_name`` and the like, and whose parameters have no type."""
 _ON_FOCAL = frozenset({"foxy", "galactic"})
 _HUMBLE = frozenset({"humble"})
 _SINCE_HUMBLE = (*DISTROS, "iron")
+_OF_ROS_2 = _OLDER.union(_SINCE_HUMBLE)
 _SINCE_IRON = tuple(name for name in _SINCE_HUMBLE if name not in _HUMBLE)
 
 
@@ -171,14 +196,38 @@ def _sourced_in(workspace: WorkspaceIndex, paths: Iterable[str]) -> frozenset[st
 _README = re.compile(r"README(?:\.(?:md|rst|txt))?", re.IGNORECASE)
 
 
+class _Line(NamedTuple):
+    """A line of a README that names distributions."""
+
+    names: frozenset[str]
+    at_top: bool
+    is_choice: bool
+
+
 @once
 def _in_readmes(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The distributions that the README at the top names; those further down, of packages that others maintain, say,
+    count where it names none."""
+    lines = _lines_of_readmes(workspace)
+    certain = [line for line in lines if not line.is_choice] or lines
+    at_top = _names_in(line for line in certain if line.at_top)
+    return _names_in(certain) if at_top.isdisjoint(_OF_ROS_2) else at_top
+
+
+def _names_in(lines: Iterable[_Line]) -> frozenset[str]:
+    return frozenset[str]().union(*(line.names for line in lines))
+
+
+@once
+def _lines_of_readmes(workspace: WorkspaceIndex) -> list[_Line]:
     tree = workspace.tree
-    readmes = (path for path in tree.files_below(tree.top) if _README.fullmatch(posixpath.basename(path)))
-    lines = [line for path in readmes for line in (tree.text(path) or "").splitlines()]
-    named = [(frozenset(match[1].lower() for match in _NAMED.finditer(line)), line) for line in lines]
-    certain = frozenset[str]().union(*(names for names, line in named if not _is_a_choice(names, line)))
-    return certain or frozenset[str]().union(*(names for names, _ in named))
+    lines: list[_Line] = []
+    for path in (path for path in tree.files_below(tree.top) if _README.fullmatch(posixpath.basename(path))):
+        at_top = (posixpath.dirname(path) or ".") == posixpath.normpath(tree.top)
+        for text in (tree.text(path) or "").splitlines():
+            if names := frozenset(match[1].lower() for match in _NAMED.finditer(text)):
+                lines.append(_Line(names, at_top, _is_a_choice(names, text)))
+    return lines
 
 
 def _is_a_choice(names: frozenset[str], line: str) -> bool:

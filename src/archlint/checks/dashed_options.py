@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.pinned import is_from_before_galactic, is_on_focal
+from archlint.analysis.pinned import is_from_before_humble
 from archlint.checks.folding import folds, with_others, with_places
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
@@ -25,7 +25,7 @@ def dashed_option(system: System, options: Options) -> Iterator[Finding]:
     dashed = [] if workspace is None else [*dashed_options(workspace)]
     if workspace is None or not dashed:
         return
-    if is_on_focal(workspace) or is_from_before_galactic(workspace):  # the setuptools of its Ubuntu says nothing
+    if is_from_before_humble(workspace):  # the setuptools of its Ubuntu says nothing
         return
     for option in dashed:
         right = option.name.replace("-", "_")

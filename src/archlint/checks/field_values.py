@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.pinned import distros_to_judge, is_for_humble, is_for_humble_alone
+from archlint.analysis.pinned import distros_to_judge, is_for_humble, is_for_humble_alone, knows_interfaces_of
 from archlint.analysis.reach import judged_notes
 from archlint.analysis.source_code import source_code
 from archlint.checks.field_operations import operations_on_fields
@@ -42,7 +42,8 @@ _COMES_OF_IT = {
 def field_value_type(system: System, options: Options) -> Iterator[Finding]:
     """Values of a kind that their field does not take."""
     noted = judged_notes(system, lambda program: program.wrong_values)
-    values = {(value.place, value.name): value for value in noted}
+    known = (value for value in noted if knows_interfaces_of(system.workspace, value.type.partition("/")[0]))
+    values = {(value.place, value.name): value for value in known}
     distros = distros_to_judge(system.workspace, options.distros)
     where = f" on {_CHECKED}" if len(options.distros) > 1 else ""
     failing: list[Place] = []

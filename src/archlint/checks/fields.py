@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint import suggestions
 from archlint.analysis.completeness import enclosing_class
-from archlint.analysis.pinned import is_for_older_ros
+from archlint.analysis.pinned import knows_interfaces_of
 from archlint.analysis.source_code import source_code
 from archlint.checks.dropped_messages import dropped_message_findings
 from archlint.checks.folding import folds, package_around, with_others
@@ -70,9 +70,7 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _is_judged(workspace: WorkspaceIndex | None, use: FieldUse) -> bool:
-    """Whether the fields of a message are known: where the workspace is for Foxy, say, only those of its own are."""
-    own = workspace is not None and use.type.partition("/")[0] in workspace.packages
-    return own or not is_for_older_ros(workspace)
+    return knows_interfaces_of(workspace, use.type.partition("/")[0])
 
 
 def _may_be_of_another_caller(system: System, missing: Sequence[FieldUse]) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint import suggestions
+from archlint.analysis.pinned import knows_interfaces_of
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -33,6 +34,7 @@ def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
         for run in system.programs
         for interface in run.unknown_interfaces
         if not is_cpp(interface.place.file) or _is_built(system, run.file)
+        if knows_interfaces_of(system.workspace, interface.package)
     }
     rows = [unknown[key] for key in sorted(unknown)]
     for interface in rows:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.pinned import is_from_before_humble
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -20,7 +21,9 @@ if TYPE_CHECKING:
 def late_publication(system: System, options: Options) -> Iterator[Finding]:
     """Publications behind a spin that Ctrl-C has ended, and behind a shutdown."""
     if system.workspace is not None:
-        for row in late_publications(system.workspace):
+        # Before Humble Ctrl-C shuts no context down: rclpy 3.2 began to.
+        runs_on = is_from_before_humble(system.workspace)
+        for row in (row for row in late_publications(system.workspace) if not (runs_on and row.after_interrupt)):
             yield _finding(row, _may_sleep_on(system, row.place.file))
 
 

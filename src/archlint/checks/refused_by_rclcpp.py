@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.pinned import is_from_before_galactic, is_on_focal
+from archlint.analysis.pinned import is_from_before_galactic, is_from_before_humble
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Place
 from archlint.python_code.refused_by_rclcpp import declared_by_name_alone, moved_names, numbers_as_durations
@@ -37,7 +37,7 @@ def moved_name_findings(system: System) -> Iterator[Finding]:
 def refused_by_rclcpp_findings(system: System) -> Iterator[Finding]:
     """Calls that rclcpp has had no more since Humble."""
     workspace = system.workspace
-    if workspace is None or is_on_focal(workspace) or is_from_before_galactic(workspace):
+    if workspace is None or is_from_before_humble(workspace):
         return
     for place in numbers_as_durations(workspace):
         yield _refused(

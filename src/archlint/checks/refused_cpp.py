@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.pinned import is_for_older_ros, is_from_before_galactic, is_on_focal
+from archlint.analysis.pinned import is_for_older_ros, is_from_before_humble, knows_interfaces_of
 from archlint.checks.folding import folds, with_others
 from archlint.checks.refused_cpp_words import NO_ERROR, words_for
 from archlint.checks.registry import Options, finding, rule
@@ -35,7 +35,7 @@ def refused_cpp(system: System, options: Options) -> Iterator[Finding]:
     workspace = system.workspace
     if workspace is None:
         return
-    is_old = is_on_focal(workspace) or is_from_before_galactic(workspace)
+    is_old = is_from_before_humble(workspace)
     for member in refused_members(workspace):
         if not (is_old and member.kind in _OLD) and _is_known(workspace, member):
             yield _of_member(workspace, member)
@@ -53,9 +53,7 @@ def refused_cpp(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _is_known(workspace: WorkspaceIndex, member: RefusedMember) -> bool:
-    """Whether the fields are those of the distribution: in a workspace for Foxy, say, only those of its own are."""
-    own = member.type.partition("/")[0] in workspace.packages
-    return own or member.kind != "field" or not is_for_older_ros(workspace)
+    return member.kind != "field" or knows_interfaces_of(workspace, member.type.partition("/")[0])
 
 
 # --------------------------------------------------------------------------------------------- members of messages

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.pinned import is_from_before_galactic
+from archlint.analysis.pinned import is_from_before_humble
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -22,7 +22,7 @@ def skipped_ending(system: System, options: Options) -> Iterator[Finding]:
     """Lines behind a spin that publish or write a file, where nothing catches what Ctrl-C raises."""
     if system.workspace is not None:
         for row in skipped_endings(system.workspace):
-            runs_on = is_from_before_galactic(system.workspace)  # Ctrl-C shuts no context down there
+            runs_on = is_from_before_humble(system.workspace)  # Ctrl-C shuts no context down there: rclpy 3.2 began to
             yield from unless_uncalled(system, _finding(row, runs_on))
 
 

@@ -15,6 +15,7 @@ from archlint.analysis.coexistence import (
     launched_separately,
 )
 from archlint.analysis.kept import once
+from archlint.analysis.pinned import is_from_before_galactic
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -75,8 +76,9 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             and not _is_left_out(system, *pair)
         ]
         torn = _with_several_types(conflicts)
-        for ends in torn.values():
-            yield _several_types(connection, in_source_order(ends))
+        if not is_from_before_galactic(system.workspace):  # Foxy's Fast DDS accepts several types
+            for ends in torn.values():
+                yield _several_types(connection, in_source_order(ends))
         for endpoint, other in conflicts:
             if _is_told(torn, endpoint, other):
                 continue
