@@ -436,6 +436,15 @@ def test_modules_that_may_well_be_called_so(said: Callable[..., list[Finding]], 
     assert said(line) == []
 
 
+def test_a_module_that_the_near_one_imports_itself(said: Callable[..., list[Finding]]) -> None:
+    """The machine has both: `statemachines` builds on `statemachine` of somebody else."""
+    own = {"robot/statemachines.py": "class State:\n    pass\n"}
+    (finding,) = said("from statemachine import State", **own)
+    assert finding.help == "write `from robot.statemachines import …`"
+    own["robot/statemachines.py"] = "from statemachine import State\n"
+    assert said("from statemachine import State", **own) == []
+
+
 def test_a_module_that_the_project_asks_pip_for(said: Callable[..., list[Finding]]) -> None:
     assert said("import matplotlab", **{"requirements.txt": "matplotlab\n"}) == []
 

@@ -14,6 +14,8 @@ from archlint.analysis.kept import once
 from archlint.packaging.renamed_packages import is_no_package, is_unknown
 from archlint.python_code.offered_names import offers
 from archlint.suggestions import nearest
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -81,7 +83,19 @@ def module_of_package(workspace: WorkspaceIndex, file: SourceFile, module: str, 
     beside = {name.rpartition(".")[2]: name for name in own if name.rpartition(".")[0] == above}
     near = None if alike or not names else nearest(module, sorted(beside))
     meant = alike or ([beside[near]] if near is not None else [])
-    return meant[0] if len(meant) == 1 and _has(workspace, file, meant[0], names) else None
+    is_meant = len(meant) == 1 and _has(workspace, file, meant[0], names)
+    return meant[0] if is_meant and not _imports(workspace, file, meant[0], module) else None
+
+
+def _imports(workspace: WorkspaceIndex, file: SourceFile, importer: str, module: str) -> bool:
+    """Whether a module imports another one by itself, so that it is somewhere after all."""
+    path = workspace.code.file_of_import(file.relative, importer)
+    code = None if path is None else workspace.facts_at(path)
+    if code is None:
+        return False
+    plain = (each.module for each in everything_in(code.body, facts.Import))
+    from_modules = (each.module for each in everything_in(code.body, facts.ImportFrom))
+    return any(name.partition(".")[0] == module for name in (*plain, *from_modules))
 
 
 def _has(workspace: WorkspaceIndex, file: SourceFile, module: str, names: Sequence[str]) -> bool:
