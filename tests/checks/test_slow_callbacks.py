@@ -965,6 +965,37 @@ def test_a_device_that_is_opened_again_as_at_the_start(run: Run, start: str, aga
     assert codes(run(source(f"{start}\n{TIMER}", timer(again) + opens))) == expected
 
 
+CONNECTS = """
+def connect(self):
+    while True:
+        try:
+            self.permit()
+            self.port = open_port()
+            return
+        except OSError:
+            {pause}
+
+def permit(self):
+    subprocess.run(['make'])
+"""
+
+
+@pytest.mark.parametrize(
+    ("start", "pause", "told"),
+    [
+        ("self.port = None", "time.sleep(2.0)", "time.sleep(2.0)"),
+        ("self.connect()", "time.sleep(2.0)", ""),
+        ("self.port = None", "print('again')", "subprocess.run(['make'])"),
+    ],
+    ids=["the loop is told", "what is opened again as at the start", "no pause"],
+)
+def test_a_process_in_a_loop_that_tries_again_and_again(run: Run, start: str, pause: str, told: str):
+    again = timer("if self.port is None:\n        self.connect()") + CONNECTS.format(pause=pause)
+    text = source(f"{start}\n{TIMER}", again)
+    lines = [text.splitlines()[row.place.line - 1].strip() for row in run(text) if row.code == "EXE003"]
+    assert lines == [told] * bool(told)
+
+
 LISTENS = """
 self.buffer = Buffer()
 self.listener = TransformListener(self.buffer, self)

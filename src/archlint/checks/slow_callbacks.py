@@ -34,7 +34,7 @@ from archlint.execution.long_stays import LongStay, long_stays, period_of
 from archlint.execution.loop_times import in_loops
 from archlint.execution.own_timers import ends_its_timer_after
 from archlint.execution.request_paces import is_pause_before_the_next
-from archlint.execution.retries import gives_up_loudly, retries_after_errors, tries_until_it_works
+from archlint.execution.retries import gives_up_loudly, is_step_of_a_retry, retries_after_errors, tries_until_it_works
 from archlint.execution.short_stays import comes_last
 from archlint.execution.sleeps import Stay
 from archlint.execution.spins import is_spin_call
@@ -78,8 +78,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # EXE009 says that the loop never ends, or TMO004 what alone ends it
         if id(call.context) in (spinning if stay.kind == "discovery" else turning):
             continue  # EXE001 says what is wrong, and its cure is this one's
-        if _is_pause_of_retry(code, call, stay):
-            continue  # so it is here, and there are few attempts
+        if _is_of_a_retry(code, call, stay):
+            continue  # there are few attempts, or the sleep between them is told
         if stay.kind == "sleep" and call.branch_arms and call.place in calls_at_start(system):
             continue  # a device is opened again as at the start: without it the callback can do nothing
         if stay.kind == "sleep" and (ends_its_timer_after(system, call) or (quiet and speaks_beside(code, call))):
@@ -215,8 +215,11 @@ def _is_occasional(code: SourceCode, row: LongStay) -> bool:
     return stay.kind == "sleep" and (is_called_in_branches(code, call) or is_between_moves(code, call))
 
 
-def _is_pause_of_retry(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
-    """Whether a short sleep comes before the next of some attempts, one of which is to work."""
+def _is_of_a_retry(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
+    """Whether a short sleep comes before the next of some attempts, one of which is to work; or a process is a step of
+    attempts without end, of which the sleep is told where that is worth a line."""
+    if stay.kind == "process":
+        return is_step_of_a_retry(code, call)
     if stay.kind != "sleep" or (stay.seconds or math.inf) > PAUSE:
         return False
     if retries_after_errors(code, call) or gives_up_loudly(code, call, stay):

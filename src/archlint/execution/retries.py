@@ -10,7 +10,7 @@ from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of, loop_of
 from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import calls_in, parts_of, statements_of
+from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import Loop, SourceCode
@@ -32,6 +32,21 @@ def retries_after_errors(code: SourceCode, call: ApiCall) -> bool:
         return False
     handlers = [handler for attempt in statements_of(loop.body, facts.Try) for handler in attempt.handlers]
     return any(covers(handler, call.place.span) for handler in handlers)
+
+
+def is_step_of_a_retry(code: SourceCode, call: ApiCall) -> bool:
+    """Whether an endless loop around a call, or around the call of its function, sleeps after each error, and ends as
+    soon as there is none: what keeps its thread is the loop, whatever one of its steps takes."""
+    return any(
+        _sleeps_after_errors(loop) for place in call.enclosing_loops if (loop := code.loop_at(place)) is not None
+    )
+
+
+def _sleeps_after_errors(loop: Loop) -> bool:
+    handlers = [handler for attempt in statements_of(loop.body, facts.Try) for handler in attempt.handlers]
+    pauses = [pause for pause in calls_in(loop.body) if called_name(pause) == "sleep"]
+    after = any(covers(handler, pause.span) for handler in handlers for pause in pauses)
+    return loop.is_endless and loop_of(loop).is_left_by_jump and after
 
 
 def gives_up_loudly(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
