@@ -134,6 +134,21 @@ def test_a_node_that_one_branch_makes_beside_the_other_is_information(findings):
     assert found.message.endswith("have the name '/it', once a branch of its code has created both")
 
 
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        ("if input('Calibrate? ') == 'y':", 0),
+        ("answer = input('Calibrate? ').lower()\n    if answer == 'y':", 0),
+        ("answer = input('Calibrate? ')\n    if len(sys.argv) > 3:", 1),
+    ],
+)
+def test_a_node_that_an_answer_at_the_keyboard_makes(findings, lines: str, told: int):
+    """What launch starts has no keyboard."""
+    branch = f"Talker())\n    {lines}\n        rclpy.spin(rclpy.create_node('helper'))"
+    two = "import sys\n" + TALKER.replace("Talker())", branch)
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": two})) == told
+
+
 def test_name_renames_all_nodes_of_an_executable(findings):
     two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
     (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": two})

@@ -14,12 +14,32 @@ if TYPE_CHECKING:
 
 _ASKS = frozenset({EntityKind.CLIENT, EntityKind.ACTION_CLIENT})
 _WAIT_FOR_A_SERVER = ("wait_for_service", "wait_for_server")
+_TOOLS = frozenset(
+    {
+        ("controller_manager", "hardware_spawner"),
+        ("controller_manager", "spawner"),
+        ("controller_manager", "spawner.py"),
+        ("controller_manager", "unspawner"),
+        ("controller_manager", "unspawner.py"),
+        ("gazebo_ros", "spawn_entity.py"),
+        ("nav2_map_server", "map_saver_cli"),
+        ("nav2_util", "lifecycle_bringup"),
+        ("ros_gz_sim", "create"),
+        ("ros_gz_sim", "remove"),
+        ("ros_gz_sim", "set_entity_pose"),
+        ("ros_ign_gazebo", "create"),
+    }
+)
+"""Executables that do one thing and end: what they are called for those seconds makes no difference to anybody."""
 
 
 def is_brief(system: System, node: Node) -> bool:
-    """Whether all that a node is there for is a request that its ``main()`` makes: it has nothing but clients, nothing
-    spins it longer than until an answer is there, and no loop makes request after request."""
-    blueprint = node.blueprint
+    """Whether a node is of such a tool, or all that it is there for is a request that its ``main()`` makes: it has
+    nothing but clients, nothing spins it longer than until an answer is there, and no loop makes request after
+    request."""
+    started, blueprint = node.started, node.blueprint
+    if started is not None and (started.package.text, started.executable.text) in _TOOLS:
+        return True
     if blueprint is None or not blueprint.complete or blueprint.escapes or blueprint.caller_unknown:
         return False
     return any(_asks_and_ends(program, blueprint) for program in system.programs if blueprint in program.nodes)

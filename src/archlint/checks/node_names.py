@@ -10,6 +10,7 @@ from itertools import combinations, groupby, takewhile
 from typing import TYPE_CHECKING
 
 from archlint.analysis.brief_programs import is_brief
+from archlint.analysis.keyboard_answers import is_answered
 from archlint.branches import exclusive, runs_along
 from archlint.checks.doubled_includes import Again, Twins, included_twice, of_includes
 from archlint.checks.folding import folds, with_other_places, with_others
@@ -68,7 +69,7 @@ def _coexist(system: System, node: Node, other: Node) -> bool:
     """Whether two nodes certainly run at the same time."""
     if node.domain != other.domain or not runs_along(node.alternatives, other.alternatives):
         return False
-    if any(_is_tool(each) or is_brief(system, each) for each in (node, other)):
+    if any(is_brief(system, each) for each in (node, other)):
         return False
     if any(each.known is not None and each.known.conditional for each in (node, other)):
         return False  # who starts the program may never meet the condition
@@ -86,30 +87,6 @@ def _is_never_initialised(node: Node) -> bool:
     if blueprint is None or program is None or blueprint.caller_unknown:
         return False
     return not blueprint.constructed and blueprint.complete and not program.exhausted
-
-
-_TOOLS = frozenset(
-    {
-        ("controller_manager", "hardware_spawner"),
-        ("controller_manager", "spawner"),
-        ("controller_manager", "spawner.py"),
-        ("controller_manager", "unspawner"),
-        ("controller_manager", "unspawner.py"),
-        ("gazebo_ros", "spawn_entity.py"),
-        ("nav2_map_server", "map_saver_cli"),
-        ("nav2_util", "lifecycle_bringup"),
-        ("ros_gz_sim", "create"),
-        ("ros_gz_sim", "remove"),
-        ("ros_gz_sim", "set_entity_pose"),
-        ("ros_ign_gazebo", "create"),
-    }
-)
-"""Executables that do one thing and end: what they are called for those seconds makes no difference to anybody."""
-
-
-def _is_tool(node: Node) -> bool:
-    started = node.started
-    return started is not None and (started.package.text, started.executable.text) in _TOOLS
 
 
 def _in_other_branches(node: Node, other: Node) -> bool:
@@ -307,6 +284,8 @@ def _of_one_process(system: System, first: Node, other: Node) -> Iterator[Findin
         message = f"name= renames every node of this executable, so several have the name '{first.name}'"
     arms = [frozenset() if node.blueprint is None else node.blueprint.branch_arms for node in (first, other)]
     sure = arms[0] == arms[1]
+    if system.workspace is not None and is_answered(system.workspace, arms[0] ^ arms[1]):
+        return  # a launch has no keyboard to answer at
     diagnostic = finding(
         "NME004",
         other.launch_place,
