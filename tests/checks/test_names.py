@@ -484,9 +484,14 @@ class TestInvalidName:
     def test_names_that_rcl_takes(self, judge: Judge, name: str):
         judge("NME002", script(f"node.create_publisher(String, {name!r}, 10)"))
 
+    @pytest.mark.parametrize("name", ["[Namespace]/scan", "/<robot>/scan", "<your name>/scan"])
+    def test_names_that_the_reader_is_to_fill_in(self, judge: Judge, name: str):
+        judge("NME002", script(f"node.create_publisher(String, {name!r}, 10)"))
+
     @pytest.mark.parametrize(
         ("arguments", "wrong"),
         [
+            ("'<robot>'", False),
             ("'front-camera'", True),
             ("'left/camera'", True),
             ("''", True),

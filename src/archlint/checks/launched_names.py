@@ -174,4 +174,4 @@ def rejection_of(remap: Remap) -> tuple[str, tuple[str, str]] | None:
 
 
 def _is_known(text: Text) -> bool:
-    return text.resolution in ("exact", "parameter")
+    return text.resolution in ("exact", "parameter") and not names.has_placeholder(text.text or "")

@@ -57,6 +57,8 @@ def _invalid_node(node: Node) -> Iterator[Finding]:
     if not blueprint.name.text and place.line != blueprint.place.line:
         return  # a text that is empty at first, and that code fills in as data come
     shown = node.name or blueprint.name.text or ""
+    if names.has_placeholder(shown):
+        return
     yield finding(
         "NME002",
         place,
@@ -73,6 +75,8 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
     for endpoint in node.endpoints:
         creation = endpoint.creation
         if endpoint.error is None or not (endpoint.resolved or _must_be_set(endpoint)) or node.test:
+            continue
+        if names.has_placeholder(endpoint.written or ""):
             continue
         by_parameter = endpoint.resolution == "parameter" or _must_be_set(endpoint)
         value = _set_by_launch(system, endpoint) if by_parameter else None

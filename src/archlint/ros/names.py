@@ -71,6 +71,14 @@ def validate_topic_name(text: str) -> InvalidName | None:
     return _wrong_character(text) or _wrong_token(text)
 
 
+def has_placeholder(text: str) -> bool:
+    """Whether a name has a part for the reader to fill in: ``[Namespace]/scan``, ``/<robot>/scan``."""
+    return _FILLED_IN.search(text) is not None
+
+
+_FILLED_IN = re.compile(r"\[[A-Za-z][\w -]*\]|<[A-Za-z][\w -]*>")
+
+
 def _wrong_character(text: str) -> InvalidName | None:
     opened: int | None = None
     for index, char in enumerate(text):
