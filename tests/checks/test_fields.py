@@ -1062,6 +1062,35 @@ def test_messages_that_have_lost_nothing_since_foxy(judge: Judge, tmp_path):
     judge("MSG001", source.replace("ComputePathToPose.Goal()", "Twist()").format(mark="  # here"))
 
 
+ACTION = """
+    from example_interfaces.action import Fibonacci
+    from rclpy.action import ActionClient, ActionServer
+    from rclpy.node import Node
+
+
+    class Counter(Node):
+        def __init__(self):
+            super().__init__('counter')
+            self.server = ActionServer(self, Fibonacci, 'count', self.execute, goal_callback=self.accept)
+            self.client = ActionClient(self, Fibonacci, 'count')
+            self.client.send_goal_async(Fibonacci.Goal(), feedback_callback=self.on_feedback)
+
+        def accept(self, goal):
+            return goal.length  # here
+
+        def on_feedback(self, message):
+            print(message.feedback.accept)
+
+        def execute(self, handle):
+            return Fibonacci.Result()
+"""
+
+
+def test_callbacks_that_an_action_server_and_a_client_are_given(judge: Judge):
+    (finding,) = judge("MSG001", ACTION)
+    assert finding.message.endswith("has no field 'length'; another use of it here is wrong, too")
+
+
 SIGNAL = """
     from PyQt5.QtCore import pyqtSignal
     from rclpy.node import Node
