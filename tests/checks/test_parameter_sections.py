@@ -43,6 +43,35 @@ def test_a_namespace_of_a_launch_argument_may_be_another_one(findings):
     assert told.message.endswith("starts a node '/side/talker'; did you mean '/left/talker'?")
 
 
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("ros2 run robot walker --ros-args --params-file config/p.yaml", 0),
+        ("ros2 run robot walker --ros-args --params-file $CONFIG", 0),
+        ("ros2 run robot walker --ros-args \\\n  --params-file ~/p.yaml", 0),
+        ("ros2 run robot walker --ros-args --params-file config/q.yaml", 1),
+        ("ros2 run robot walker --ros-args -p rate:=2.0", 1),
+    ],
+)
+def test_a_command_in_a_script_may_load_the_file(findings, text: str, told: int):
+    files = {"config/p.yaml": f"talker: {RATE}\nwalker: {RATE}\n", "start.sh": text}
+    assert len(findings("PRM005", node(LOAD_IT), **files)) == told
+
+
+def test_a_command_that_a_launch_file_types_into_a_terminal_may_load_the_file(findings):
+    typed = """from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+FILE = 'p.yaml'
+
+def generate_launch_description():
+    command = f'ros2 run robot walker --ros-args --params-file {FILE}'
+    return LaunchDescription([ExecuteProcess(cmd=['tmux', 'send-keys', '-t', 'robot', command, 'C-m'])])
+"""
+    files = {"config/p.yaml": f"talker: {RATE}\nwalker: {RATE}\n", "launch/typed.launch.py": typed}
+    assert findings("PRM005", node(LOAD_IT), **files) == []
+
+
 def test_a_key_without_namespace_misses_the_node_with_the_default_of_the_argument(findings):
     launch = '<arg name="ns" default="front"/>' + node(LOAD_IT, namespace="$(var ns)")
     assert findings("PRM005", launch, **{"config/p.yaml": f"side/talker: {RATE}"}) == []

@@ -15,6 +15,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch.kinds import FileStatus
 from archlint.launch_files.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
+from archlint.launch_files.files_of_commands import may_be_given_by_command
 from archlint.launch_files.files_read_in_code import is_for_a_test, is_read_in_code
 from archlint.launch_files.managed_nodes import managed_nodes
 from archlint.launch_files.plugin_parameters import controllers_of, costmaps_without_namespace
@@ -69,6 +70,8 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
         started = _nodes_beside(workspace, file)
         if not started or file in rewritten_files(workspace):
             continue  # in the file that a launch makes of this one the keys may be others
+        if may_be_given_by_command(workspace, file):
+            continue
         keys = [section.key for section in workspace.parameters_of(file).sections if "*" not in section.key]
         of_others = _named_for_others(workspace, file)
         unmet = [node for node in started if not any(key_matches(key, node.name) for key in keys)]
