@@ -89,6 +89,17 @@ def test_a_program_that_two_files_start(findings, one, other, help):
     assert found.help == help
 
 
+@pytest.mark.parametrize(
+    ("key", "more"),
+    [("talker", ", and p.yaml a section for each: 'talker' is for one name alone"), ("/**", ""), ("listener", "")],
+)
+def test_a_parameter_file_has_the_name_too(findings, key, more):
+    param = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    twice = node(param) + node(param, args="--quiet")
+    (found,) = findings("NME004", twice, **{"config/p.yaml": f"{key}: {{ros__parameters: {{rate: 1.0}}}}\n"})
+    assert found.help == f"give each its own name or namespace{more}"
+
+
 def test_nodes_that_the_code_calls_alike_are_not_renamed_by_the_launch_file(findings):
     """A class that makes another node of its own name: without ``name=`` they would clash as well."""
     talker = TALKER.replace(

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from archlint.model import Blueprint
     from archlint.systems.model import System
     from archlint.systems.nodes import Node
+    from archlint.systems.overrides import Setting
 
 
 @rule("NME004", scope=Scope.SYSTEM, in_use=True)
@@ -153,11 +154,12 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         help = "give each its own name or namespace"  # with other topics, a namespace would part them from the rest
         if first.launch_place.file != here.file:
             help = f"start the program once, or {help}"
+    section = _with_its_section(system, first, other) if help.endswith(_RENAMED) else ""
     diagnostic = finding(
         "NME004",
         here,
         shared,
-        help=help,
+        help=help + section,
         related=[
             *([Related(first.launch_place, "the other one is started here")] if first.launch_place != here else []),
             *(Related(place, "another one is started here") for place in more),
@@ -191,6 +193,26 @@ def _of_one_group(several: Sequence[Finding]) -> Finding:
     if several[0].group[0] == _OF_PROCESS:
         return with_other_places(several, "it is started here, too")
     return with_others(several, "another node is", "more nodes are", "started in the same way")
+
+
+_RENAMED = ("its own name", "name or namespace")
+
+
+def _with_its_section(system: System, *twins: Node) -> str:
+    """What else has to change with a name: the key of its section in a parameter file."""
+    section = next((row for twin in twins if (row := _section_of(system, twin)) is not None), None)
+    if section is None:
+        return ""
+    file = posixpath.basename(section.place.file)
+    return f", and {file} a section for each: '{section.written}' is for one name alone"
+
+
+def _section_of(system: System, node: Node) -> Setting | None:
+    """What a parameter file sets of a node in a section with its name."""
+    if node.started is None or system.workspace is None:
+        return None
+    rows = settings_of(node.started, system.workspace.parameters_of)
+    return next((row for row in rows if row.written and "*" not in row.key and key_matches(row.key, node.name)), None)
 
 
 def _includes_of(first: Started | None, other: Started | None) -> list[Place]:
@@ -314,7 +336,7 @@ def _with_all_names(several: Sequence[Finding]) -> Finding:
 
 def _unrenamed(system: System, node: Node) -> str:
     """The advice to remove ``name=``: a section of a parameter file that is for the name would be read by no node."""
-    started, workspace = node.started, system.workspace
+    started = node.started
     if (private := _with_private_names(system, node)) is not None:
         return (
             f"keep name= for '{private}', whose names below ~/ go by it, and create the other with "
@@ -328,10 +350,7 @@ def _unrenamed(system: System, node: Node) -> str:
     if doubled:
         listed = ", ".join(f"'{name}'" for name in doubled)
         return f"remove name=, and give each node a name of its own in the code: several are called {listed}"
-    sections = [] if started is None or workspace is None else settings_of(started, workspace.parameters_of)
-    lost = next(
-        (row for row in sections if row.written and "*" not in row.key and key_matches(row.key, node.name)), None
-    )
+    lost = _section_of(system, node)
     if lost is None:
         return "remove name=, so that each node keeps the name from its code"
     file = posixpath.basename(lost.place.file)
