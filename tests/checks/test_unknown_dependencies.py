@@ -450,6 +450,13 @@ def test_a_name_that_nothing_else_has(judge: Judge, name: str, help: str):
     assert (told.severity, told.place.line, told.help) == (Severity.INFO, 4, help)
 
 
+def test_a_name_of_which_cmake_links_the_library(judge: Judge):
+    links = "find_library(MOTOR NAMES dome_motor)\nadd_executable(dome a.cpp)\ntarget_link_libraries(dome ${MOTOR})\n"
+    (told,) = judge("<depend>dome-motor</depend>", build="ament_cmake", **{"CMakeLists.txt": links})
+    assert told.message == "'dome-motor' is neither a ROS package nor a key of rosdep, which stops here"
+    assert (told.help or "").startswith("give rosdep a rule for it, in a file of yours")
+
+
 @pytest.mark.parametrize(
     "files",
     [

@@ -104,7 +104,7 @@ def _unknown(
         needed = _is_found_by_name(workspace, package, dependency)
         yield _finding(package, dependency, meant, f"write '{meant}' instead{own if needed else ''}")
     elif wrong is None and is_idle(workspace, package, name, there.union(rosdep.keys(), options.external)):
-        yield _idle(package, dependency)
+        yield _idle(package, dependency, is_linked=_is_linked(workspace, package, name))
 
 
 def _imported(workspace: WorkspaceIndex, package: Package, name: str, there: frozenset[str]) -> str | None:
@@ -243,8 +243,27 @@ _OF_A_PACKAGE = frozenset({"driver", "drivers", "ros", "ros2"})
 """Words of names that only a package has, which is built from its source where it is not released."""
 
 
-def _idle(package: Package, dependency: Dependency) -> Finding:
-    message = f"'{dependency.name}' is neither a ROS package nor a key of rosdep, which stops here, and nothing uses it"
+def _is_linked(workspace: WorkspaceIndex, package: Package, name: str) -> bool:
+    """Whether the CMake files of a package name a library like it: ``libdome_motor.a`` is one of ``dome-motor``."""
+    installs = workspace.installs.get(package.name)
+    words = frozenset[str]() if installs is None else installs.words
+    plain = _of_library(name)
+    return any(_of_library(word.partition(".")[0]) == plain for word in words)
+
+
+def _of_library(name: str) -> str:
+    return name.lower().replace("-", "_").removeprefix("lib")
+
+
+def _idle(package: Package, dependency: Dependency, *, is_linked: bool) -> Finding:
+    message = f"'{dependency.name}' is neither a ROS package nor a key of rosdep, which stops here"
+    if is_linked:
+        help = (
+            "give rosdep a rule for it, in a file of yours that its sources.list.d names, or install it in another way"
+        )
+        told = _told(package, dependency, "", message, f"{help} and remove the line")
+        return replace(told, severity=Severity.INFO, group=("linked",))
+    message += ", and nothing uses it"
     help = "remove the line, unless a package from elsewhere is meant"
     if not _OF_A_PACKAGE.isdisjoint(dependency.name.split("_")):
         help = "bring its source into the workspace, as with a .repos file, or remove the line if nothing needs it"
