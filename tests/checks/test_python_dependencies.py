@@ -146,6 +146,7 @@ def test_a_part_of_a_module_that_rosdep_does_not_have(judge: Judge):
     [
         ("import sounddevice", "remove the import of 'sounddevice', which nothing uses"),
         ("import sounddevice  # keeps ALSA quiet", "add <exec_depend>python3-sounddevice-pip</exec_depend>"),
+        ("import torch_geometric", "add <exec_depend>python3-torch-geometric-pip</exec_depend>"),
         ("import sounddevice  # noqa: F401", "add <exec_depend>python3-sounddevice-pip</exec_depend>"),
     ],
 )

@@ -33,6 +33,9 @@ _BUILT_BY = ("setup.py", "setup.cfg", "pyproject.toml", "requirements.txt", "CMa
 
 _CHANGE_OTHERS: Mapping[str, str] = {"mpl_toolkits": "matplotlib"}
 """Modules that come with another one, and add something to it by being imported."""
+_EXTENSION = re.compile(r"(?:torch_?|tensorflow_|gym_|gymnasium_|pybullet_)[a-z]")
+"""Modules of others that do so: the operations of ``torch_scatter``, which a model asks for that is loaded, are
+registered by the import."""
 
 
 @dataclass(frozen=True, order=True)
@@ -57,7 +60,8 @@ def modules_to_declare(
     releases = ubuntu_releases(workspace)
     for statement in imports_at_start(workspace):
         module = statement.module.partition(".")[0]
-        unused = statement.unused and module not in _CHANGE_OTHERS and not _has_comment(workspace, statement.place)
+        changes_others = module in _CHANGE_OTHERS or _EXTENSION.match(module) is not None
+        unused = statement.unused and not changes_others and not _has_comment(workspace, statement.place)
         module = _CHANGE_OTHERS.get(module, module)
         key = None if module in sys.stdlib_module_names else python_modules.key_of(module)
         if key is None or not all(rosdep.is_on(key, release) for release in releases):
