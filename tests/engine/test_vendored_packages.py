@@ -205,6 +205,19 @@ def test_a_readme_that_says_to_clone_what_it_lies_in(
     assert checked(capsys)[1] == vendored
 
 
+@pytest.mark.parametrize(
+    ("folder", "vendored"),
+    [("scanner", 2), ("scanner-main", 2), ("scanner-main (of May)", 2), ("scanner-main-2", 1), ("robot_scanner", 1)],
+)
+def test_the_archive_of_a_repository_without_packages(
+    capsys: pytest.CaptureFixture[str], folder: str, vendored: int
+) -> None:
+    write(f"ref/{folder}/README.md", "git clone https://github.com/carl/scanner.git\n")
+    write(f"ref/{folder}/tools/run.py", NODE.format(name="scan") + "\n\nif __name__ == '__main__':\n    main()\n")
+    assert checked(capsys)[1] == vendored
+    assert f"ref/{folder}/tools/run.py" in checked(capsys, f"ref/{folder}")[0]
+
+
 def test_the_readme_of_the_workspace_is_about_no_package(capsys: pytest.CaptureFixture[str]) -> None:
     write("README.md", "git clone https://github.com/team/robot.git\n")
     assert checked(capsys)[1] == 1

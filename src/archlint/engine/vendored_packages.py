@@ -48,7 +48,10 @@ def _holds_own(index: WorkspaceIndex, path: str) -> bool:
     vendored = vendored_folders(index)
     roots = {os.path.abspath(package.root): folder in vendored for folder, package in index.manifests.items()}
     held = [of_others for root, of_others in roots.items() if is_below(root, path)]
-    return not (all(held) if held else any(is_below(path, root) for root, of_others in roots.items() if of_others))
+    if held:
+        return not all(held)
+    in_clone = vendored_package(index, os.path.join(os.path.relpath(path), "file")) is not None
+    return not (in_clone or any(is_below(path, root) for root, of_others in roots.items() if of_others))
 
 
 __all__ = ["without_vendored"]

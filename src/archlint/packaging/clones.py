@@ -23,8 +23,11 @@ _FILES = (*_LICENSES, "CONTRIBUTING.md", ".travis.yml", ".gitlab-ci.yml")
 _FOLDERS = (".github",)
 _DOCUMENTS = ("README.md", "README.MD", "readme.md", "Readme.md", "README.rst", "README", "README.txt")
 _CLONED = re.compile(r"\bgit clone\b[^\n]*?[/:][\w.-]+/([\w.-]+?)(?:\.git)?(?=[\s`'\")]|$)", re.MULTILINE)
-_BRANCH = re.compile(r"[-_](?:main|master|ros2|devel|foxy|galactic|humble|iron|jazzy|kilted|rolling)$", re.IGNORECASE)
-"""What the archive of a branch adds to the name of a repository."""
+_BRANCH = re.compile(
+    r"[-_](?:main|master|ros2|devel|foxy|galactic|humble|iron|jazzy|kilted|rolling)(?:[ _-]*\([^()]*\))?$",
+    re.IGNORECASE,
+)
+"""What the archive of a branch adds to the name of a repository, and what somebody notes behind it in brackets."""
 _WORD = re.compile(r"[a-z0-9]+")
 _SHORT = 3
 _OF_TEMPLATES = frozenset({"moveit", "moveit2"})
@@ -94,6 +97,18 @@ def clone_around(workspace: WorkspaceIndex, folder: str) -> str | None:
     return None
 
 
+def clone_of_file(workspace: WorkspaceIndex, file: str) -> str | None:
+    """The folder around a file of no package, which holds none, whose README says to clone a repository that is called
+    like it: the archive of a library, unpacked beside the packages."""
+    for around in folders_above(file):
+        if around in (".", workspace.tree.top) or any(is_in(folder, around) for folder in workspace.manifests):
+            return None
+        cloned = kept(workspace, (_cloned_by, around), partial(_cloned_by, workspace, around))
+        if _plain(_BRANCH.sub("", posixpath.basename(around))) in cloned:
+            return around
+    return None
+
+
 def _cloned_by(workspace: WorkspaceIndex, folder: str) -> set[str]:
     """The names of the repositories that the README of a folder says to clone."""
     paths = [path for path in (posixpath.join(folder, name) for name in _DOCUMENTS) if workspace.tree.is_file(path)]
@@ -112,6 +127,7 @@ def is_a_repository(workspace: WorkspaceIndex) -> bool:
 
 __all__ = [
     "clone_around",
+    "clone_of_file",
     "is_a_release",
     "is_a_repository",
     "is_in",

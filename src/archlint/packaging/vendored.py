@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import once
 from archlint.packaging.clones import (
     clone_around,
+    clone_of_file,
     is_a_release,
     is_a_repository,
     is_in,
@@ -97,8 +98,10 @@ def _whole(workspace: WorkspaceIndex, folder: str, rest: Collection[str]) -> str
 
 
 def vendored_package(workspace: WorkspaceIndex, file: str) -> str | None:
-    """The folder of the package with a file, if others maintain it."""
+    """The folder of the package with a file, or of the clone around one of no package, if others maintain it."""
     package = next((folder for folder in folders_above(file) if folder in workspace.manifests), None)
+    if package is None:
+        return clone_of_file(workspace, file)
     return package if package in vendored_folders(workspace) else None
 
 
