@@ -144,17 +144,17 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         shared = f"{shared}: the namespace of the group around it is gone when its timer or event handler starts it"
     sole = all(sum(node.started is twin.started for node in system.nodes) == 1 for twin in (first, other))
     help = "give each its own name"
+    section = _with_its_section(system, first, other)
     if late:
-        help = "put the timer or event handler around the group, or give each node its namespace="
+        help, section = "put the timer or event handler around the group, or give each node its namespace=", ""
     elif not sole:
-        help = _each_renamed(first)
+        help, section = _each_renamed(first), ""
     elif first.launch_place != here and _is_one_too_many(first.started, other.started):
-        help = "remove one of the two: they start the same program in the same way"
+        help, section = "remove one of the two: they start the same program in the same way", ""
     elif _start_one_program(first.started, other.started):
         help = "give each its own name or namespace"  # with other topics, a namespace would part them from the rest
         if first.launch_place.file != here.file:
             help = f"start the program once, or {help}"
-    section = _with_its_section(system, first, other) if help.endswith(_RENAMED) else ""
     diagnostic = finding(
         "NME004",
         here,
@@ -193,9 +193,6 @@ def _of_one_group(several: Sequence[Finding]) -> Finding:
     if several[0].group[0] == _OF_PROCESS:
         return with_other_places(several, "it is started here, too")
     return with_others(several, "another node is", "more nodes are", "started in the same way")
-
-
-_RENAMED = ("its own name", "name or namespace")
 
 
 def _with_its_section(system: System, *twins: Node) -> str:
