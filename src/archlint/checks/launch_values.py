@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds, with_other_places, with_others
 from archlint.checks.launch_arguments import told_as_left_out
+from archlint.checks.no_actions import no_actions_told
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.texts_as_yaml import description_in_itself, misused_command, text_as_yaml
@@ -60,6 +61,8 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         yield _absent_key(absent)
     for refused in system.launched.refused if system.launched is not None else ():
         yield _refused(refused)
+    if system.launched is not None:
+        yield from no_actions_told(system.launched)
     for incomplete in system.launched.incomplete if system.launched is not None else ():
         yield _incomplete(incomplete)
     for group in system.launched.idle_groups if system.launched is not None else ():

@@ -150,6 +150,17 @@ class RefusedValue:
 
 
 @dataclass(frozen=True)
+class NoAction:
+    """An object of a class of launch that stands ``among`` actions and is none, or that is an action and the
+    predicate of a condition; ``name`` is the launch argument that it reads or declares."""
+
+    class_name: str
+    among: bool
+    name: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class MissingArguments:
     """A call, or an element of XML or YAML, that makes an action without the arguments ``names``, which it needs."""
 

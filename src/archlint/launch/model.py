@@ -13,6 +13,7 @@ from archlint.launch.mistakes import (
     JoinedFolder,
     LeakedArgument,
     MissingArguments,
+    NoAction,
     NotAChoice,
     NotACondition,
     NotAPath,
@@ -109,6 +110,7 @@ class Launched:
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     mistakes: list[NotACondition] = field(default_factory=list)
     refused: list[RefusedValue] = field(default_factory=list)
+    no_actions: list[NoAction] = field(default_factory=list)
     incomplete: list[MissingArguments] = field(default_factory=list)
     idle_groups: list[IdleGroup] = field(default_factory=list)
     no_choices: list[NotAChoice] = field(default_factory=list)

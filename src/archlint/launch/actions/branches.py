@@ -18,6 +18,7 @@ from archlint.interpreter.values import (
     alternatives,
 )
 from archlint.launch import conditions
+from archlint.launch.actions.no_actions import note_action_as_predicate, note_no_action
 from archlint.launch.mistakes import NotACondition
 from archlint.launch.objects import LaunchObject, argument, class_name, made_by_base
 from archlint.launch.verdict import ALWAYS, Verdict
@@ -72,6 +73,8 @@ def verdict_on(run: LaunchRun, entity: Instance) -> Verdict:
     if condition is not None and what is not None:
         place = _place_of_condition(entity) or entity.place or run.place_now
         run.note_mistake(NotACondition(class_name(entity), what, callable_value(condition), place))
+    if condition is not None:
+        note_action_as_predicate(run, condition)
     return run.judge(condition)
 
 
@@ -85,6 +88,7 @@ def callable_value(value: Value) -> bool:
 
 def visit_items(run: LaunchRun, items: Items) -> None:
     for value in items.values:
+        note_no_action(run, value)
         run.visit(value)
     note_open(run, items)
 
