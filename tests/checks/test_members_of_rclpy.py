@@ -171,3 +171,14 @@ def test_a_node_that_is_spun_and_never_initialised(judge: Judge, base: str):
 @pytest.mark.parametrize("constructor", ["super().__init__()", "Base.__init__(self)", "super(Robot, self).__init__()"])
 def test_a_node_that_is_initialised(judge: Judge, constructor: str):
     assert not judge("API003", SPUN.format(base="Base", constructor=constructor, here=""))
+
+
+@pytest.mark.parametrize(
+    ("made", "told"),
+    [("robot = Robot()", True), ("robot = None; robot = Robot()", True), ("robot = find_robot()", False)],
+)
+def test_a_file_that_also_asks_an_object_of_its_class_for_the_logger(judge: Judge, made: str, told: bool):
+    """What is no node may have other loggers, and then all of the file may be about those."""
+    line = "self.get_logger().warn_once('low')" + ("  # here" if told else "")
+    source = node(line).replace("rclpy.spin(Robot())", f"{made}; robot.get_logger().info('up'); rclpy.spin(robot)")
+    judge("API002", source)

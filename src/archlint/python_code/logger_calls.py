@@ -6,7 +6,7 @@ Source: ``RcutilsLogger.log`` and ``get_filters_from_kwargs`` in rclpy/impl/rcut
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -118,7 +118,8 @@ def absent_of_loggers(workspace: WorkspaceIndex) -> Iterator[AbsentOfLogger]:
 def _absent(file_facts: facts.Facts) -> list[tuple[str, facts.Span]]:
     code = Loggers(file_facts)
     calls = [*everything_in(file_facts.body, facts.Call)] if code.uses_rclpy else []
-    if not all(_is_of_node(call.func) for call in calls):
+    nodes = _variables_of_nodes(file_facts) if calls else set()
+    if not all(_is_of_node(call.func, nodes) for call in calls):
         return []  # other libraries have loggers, too
     rows = []
     for call in calls:
@@ -129,12 +130,25 @@ def _absent(file_facts: facts.Facts) -> list[tuple[str, facts.Span]]:
     return rows
 
 
-def _is_of_node(function: facts.Expr) -> bool:
-    """Whether a function, if it is a ``get_logger()``, is that of a node or of rclpy."""
+def _variables_of_nodes(code: facts.Facts) -> set[str]:
+    """The variables to which a file assigns an object of a class of its own that derives from Node."""
+    nodes = {cls.name for cls in classes_of(code) if any(base.value.last_name.endswith("Node") for base in cls.bases)}
+    return {
+        target.variable
+        for assign in everything_in(code.body, facts.Assign)
+        if isinstance(assign.value, facts.Call) and assign.value.func.variable in nodes
+        for target in assign.targets
+        if target.variable
+    }
+
+
+def _is_of_node(function: facts.Expr, nodes: Collection[str]) -> bool:
+    """Whether a function, if it is a ``get_logger()``, is that of a node or of rclpy; ``nodes`` are
+    variables of nodes."""
     match function:
         case facts.Attribute(value=owner, attr="get_logger"):
             name = owner.last_name.lower()
-            return owner.dotted in ("self", "rclpy.logging") or name.endswith("node")
+            return owner.dotted in {"self", "rclpy.logging", *nodes} or name.endswith("node")
     return True
 
 
