@@ -97,6 +97,18 @@ def test_a_setup_file(judge: Judge, comma: str, build_type: str, lines: list[int
     assert all("the build of the package stops" in one.message for one in findings)
 
 
+@pytest.mark.parametrize(("how", "lines"), [("import glob", [7]), ("from glob import glob", [])])
+def test_a_setup_file_that_calls_a_module(judge: Judge, how: str, lines: list[int]):
+    data = "data_files=[('share/robot', glob('*.xml'))]"
+    setup = f"{how}\n\nfrom setuptools import setup\n\nsetup(\n    name='robot',\n    {data},\n)\n"
+    (judge.folder / "setup.py").write_text(setup, encoding="utf-8")
+    (judge.folder / "package.xml").write_text(MANIFEST.format(build_type="ament_python"), encoding="utf-8")
+    (judge.folder / "archlint.toml").write_text('select = ["API001"]\n', encoding="utf-8")
+    findings = check(Request((".",), load(judge.folder), cached=False, jobs=1)).findings
+    assert [one.place.line for one in findings] == lines
+    assert all("the build of the package stops as it is called" in one.message for one in findings)
+
+
 MODULE = """
 class node1:
     pass
@@ -116,6 +128,27 @@ def test_a_module_that_is_called(judge: Judge, how: str):
     assert finding.help == "call what is in it: node1.node1(…)"
     (finding,) = judge("API001", code.format(line="self.arm = node1()  # here"), "class Arm:\n    pass\n")
     assert finding.help == "call what is in it, as node1.NAME(…)"
+
+
+def test_a_module_of_python_that_is_called_like_its_function(judge: Judge):
+    (finding,) = judge("API001", "import glob\n" + NODE.format(line="self.maps = glob('maps/*.yaml')  # here"))
+    assert finding.message == "'glob' is a module of Python, and calling it fails with a TypeError"
+    assert finding.help == "call what is in it: glob.glob(…)"
+
+
+@pytest.mark.parametrize(
+    ("how", "line"),
+    [
+        ("import glob", "self.maps = glob.glob('maps/*.yaml')"),
+        ("from glob import glob", "self.maps = glob('maps/*.yaml')"),
+        ("import glob\nfrom glob import glob", "self.maps = glob('maps/*.yaml')"),
+        ("import glob\n\ndef glob(pattern): ...", "self.maps = glob('maps/*.yaml')"),
+        ("import time", "time = print; time('now')"),
+        ("import glob as paths", "self.maps = paths.glob('maps/*.yaml')"),
+    ],
+)
+def test_a_function_of_a_module_of_python(judge: Judge, how: str, line: str):
+    assert not judge("API001", f"{how}\n{NODE.format(line=line)}")
 
 
 @pytest.mark.parametrize(

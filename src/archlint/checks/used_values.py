@@ -120,11 +120,13 @@ def _misused(row: MisusedKind, code: str) -> Finding:
 
 
 def _called_module(row: CalledModule) -> Finding:
-    own = row.file.rpartition("/")[2].removesuffix(".py")
+    own = row.file.rpartition("/")[2].removesuffix(".py") or row.name
+    which = f"the module {row.file}" if row.file else "a module of Python"
     return finding(
         "API001",
         row.place,
-        f"'{row.name}' is the module {row.file}, and calling it fails with a TypeError",
+        f"'{row.name}' is {which}, and "
+        + ("the build of the package stops as it is called" if row.builds else "calling it fails with a TypeError"),
         help=f"call what is in it: {row.name}.{own}(…)"
         if row.has_own
         else f"call what is in it, as {row.name}.NAME(…)",

@@ -30,11 +30,16 @@ class CalledValue:
 
 def called_values(workspace: WorkspaceIndex) -> Iterator[CalledValue]:
     """Every such call in the files that were asked for, and in each setup.py that colcon runs; not in test code."""
-    judged = [file.relative for file, _ in workspace.code.judged() if not workspace.roles.is_test(file.relative)]
-    setups = [file.relative for file, _ in workspace.code.setup_files if _is_run(workspace, file)]
-    for path, builds in (*((path, False) for path in judged), *((path, True) for path in setups)):
+    for path, builds in files_that_run(workspace):
         for span, kind, among in _rows(workspace, path) or ():
             yield CalledValue(Place(path, *span), kind, among, builds)
+
+
+def files_that_run(workspace: WorkspaceIndex) -> list[tuple[str, bool]]:
+    """The files that were asked for, but for test code, and each setup.py that colcon runs: True of these."""
+    judged = [file.relative for file, _ in workspace.code.judged() if not workspace.roles.is_test(file.relative)]
+    setups = [file.relative for file, _ in workspace.code.setup_files if _is_run(workspace, file)]
+    return [*((path, False) for path in judged), *((path, True) for path in setups)]
 
 
 def _is_run(workspace: WorkspaceIndex, setup: SourceFile) -> bool:
@@ -79,4 +84,4 @@ def _kind(called: facts.Expr) -> str:
     return ""
 
 
-__all__ = ["CalledValue", "called_values"]
+__all__ = ["CalledValue", "called_values", "files_that_run"]
