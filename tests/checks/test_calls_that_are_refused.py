@@ -528,6 +528,7 @@ def test_a_thread_that_gets_its_function(judge: Judge, thread: str):
     ("call", "help"),
     [
         ("Duration(5)", "give it by name: Duration(seconds=…)"),
+        ("Time(0)", "give it by name: Time(seconds=…)"),
         ("rclpy.init(None)", "give it by name: init(args=…)"),
     ],
 )

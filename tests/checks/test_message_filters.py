@@ -82,3 +82,26 @@ def test_a_subscriber_of_one_of_two_types(judge: Judge):
 )
 def test_how_many_messages_a_filter_passes_on(judge: Judge, made: str, registered: str, callback: str, told: bool):
     judge("EXE006", _node(made, registered, callback, "  # here" if told else ""))
+
+
+@pytest.mark.parametrize(
+    ("made", "told"),
+    [
+        ("filter_ = Subscriber(self, Image, 'camera', 10)", True),
+        ("filter_ = Subscriber(self, Image, 'camera', qos_profile=10)", False),
+        ("filter_ = Subscriber(self, Image, 'camera')", False),
+        ("filter_ = Subscriber(*make())", False),
+    ],
+)
+def test_a_profile_that_a_subscriber_is_given_by_position(judge: Judge, made: str, told: bool):
+    source = _node(f"{made}{'  # here' if told else ''}", "self.show", "def show(self, message): pass")
+    rows = judge("API001", source, config='distro = "humble"')
+    if told:
+        assert rows[0].message == "Subscriber() fails: it takes at most 3 arguments by position"
+        assert rows[0].help == "give the profile by name, qos_profile=…: here it takes the place of the callback"
+
+
+def test_a_profile_by_position_where_newer_distributions_are_meant(judge: Judge):
+    """They may take it."""
+    source = _node("filter_ = Subscriber(self, Image, 'camera', 10)", "self.show", "def show(self, message): pass")
+    judge("API001", source)

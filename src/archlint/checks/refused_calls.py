@@ -345,6 +345,8 @@ def _cure(name: str, call: RefusedCall) -> str:
     if call.misuse is Misuse.UNKNOWN_KEYWORD:
         known = {*_by_name(call), *(name for row in signatures_of(call.api).values() for name in row.positional)}
         return cure_of_keywords(call.parameters, keywords_meant(call.parameters, sorted(known)))
+    if call.misuse is Misuse.TOO_MANY and call.api == "message_filters.Subscriber":
+        return f"give the profile by name, {call.parameters[0]}=…: here it takes the place of the callback"
     if call.misuse is Misuse.TOO_MANY and not call.takes and _by_name(call):
         return f"give it by name: {name}({_by_name(call)[0]}=…)"
     return f"write {name}({', '.join(call.signature)})"

@@ -10,7 +10,7 @@ from archlint import model
 from archlint.branches import ChoiceOfCallee
 from archlint.interpreter.definitions import methods_of
 from archlint.interpreter.values import Instance, Value, alternatives
-from archlint.libraries.api_signatures import distros, needed, refusing_distros
+from archlint.libraries.api_signatures import distros, needed, refusing_distros, signatures_of
 from archlint.libraries.kinds_of_arguments import Kind, described, is_other, kinds_of
 from archlint.libraries.rclpy import names, node_classes, refusals
 from archlint.libraries.thread_arguments import number_given
@@ -29,8 +29,9 @@ if TYPE_CHECKING:
 
 
 _UNSEEN = object()
+_SUBSCRIBER = "message_filters.Subscriber"
 _NEEDED_OF_ANY = {
-    "message_filters.Subscriber": ("node", "msg_type", "topic"),
+    _SUBSCRIBER: ("node", "msg_type", "topic"),
     "rclpy.lifecycle.node.LifecycleNode.create_lifecycle_publisher": ("msg_type", "topic", "qos_profile"),
 }
 """What is read of ``*args``: by message_filters (``__init__.py``: ``args[0]``, ``args[2]``), and by
@@ -163,7 +164,16 @@ def _lacking(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None
     """A call of what takes ``*args`` and needs some of them all the same."""
     wanted = _NEEDED_OF_ANY.get(api.path, ())
     missing = tuple(name for name in wanted[len(site.args) :] if name not in site.keywords)
-    if not missing or site.open:
+    if site.open:
+        return None
+    if not missing and api.path == _SUBSCRIBER and len(site.args) > len(wanted):
+        # They come in front of the callback, which takes the place of the profile: that has a value by name, too.
+        takes_any = tuple(distro for distro, row in signatures_of(api.path).items() if row.any_positional)
+        rest = (api.qos or "",)
+        return model.RefusedCall(
+            place, api.path, model.Misuse.TOO_MANY, rest, takes=len(wanted), signature=wanted, distros=takes_any
+        )
+    if not missing:
         return None
     return model.RefusedCall(place, api.path, model.Misuse.MISSING, missing, signature=wanted, distros=distros())
 

@@ -14,6 +14,8 @@ SYNCHRONIZERS = {
     )
 }
 
-NOTED = NEED_A_LOOP | SYNCHRONIZERS
+TIMES = {"rclpy.time.Time": Api("rclpy.time.Time", "* seconds nanoseconds clock_type")}
+
+NOTED = NEED_A_LOOP | SYNCHRONIZERS | TIMES
 
 __all__ = ["NOTED", "SYNCHRONIZERS"]
