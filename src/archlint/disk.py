@@ -23,7 +23,7 @@ def read_regular(path: str | Path, limit: int) -> bytes:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
             raise OSError(errno.EINVAL, "not a regular file", path)
         with os.fdopen(descriptor, "rb", closefd=False) as stream:
-            data = stream.read(limit + 1)
+            data = stream.read(limit + 1) or b""  # None of a file of the system that has nothing to say yet
     finally:
         os.close(descriptor)
     if len(data) > limit:

@@ -18,6 +18,7 @@ import archlint
 from archlint.cli import main
 from archlint.config.settings import Settings, load
 from archlint.engine import findings
+from archlint.engine.inputs import find_files, tree_of
 from archlint.engine.pipeline import Request, check
 from learners import learned
 from robot_package import TALKER, write_robot
@@ -243,3 +244,17 @@ def test_another_workspace_does_not_know_the_interfaces_of_this_one(tmp_path: Pa
     report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
 
     assert [one.place.file.partition("/")[0] for one in report.findings] == ["anna"]
+
+
+def test_what_two_folders_share_is_not_searched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It may be the folder of a user: only what is in the two is there."""
+    monkeypatch.chdir(tmp_path)
+    for name in ("arm/src/robot", "base/src/robot"):
+        write_robot(Path(name))
+    Path("private").mkdir()
+    Path("private/notes.md").write_text("secret", encoding="utf-8")
+    request = Request(("arm", "base"), load(tmp_path), cached=False)
+    tree = tree_of(request, find_files(request))
+    listed = tree.files_below(".")
+    assert {path.split("/")[0] for path in listed} == {"arm", "base"}
+    assert tree.text("private/notes.md") is None

@@ -18,6 +18,18 @@ def test_what_programs_keep_in_a_cache_is_not_listed(tmp_path: Path) -> None:
     assert SourceTree(tmp_path).files_below(".") == ["a.txt", "other/c.txt"]
 
 
+def test_what_lies_beside_the_folders_that_were_asked_for_is_not_there(tmp_path: Path) -> None:
+    """What two of them share may be the folder of a user, or of the whole machine."""
+    for path in ("arm/package.xml", "private/notes.txt", "src/base/a.txt", "src/b.txt", "c.txt"):
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text("text")
+    files = SourceTree(tmp_path, inside=[str(tmp_path / "arm"), str(tmp_path / "src" / "base")])
+    assert files.files_below(".") == ["arm/package.xml", "src/base/a.txt"]
+    assert files.text("arm/package.xml") == "text"
+    assert files.text("private/notes.txt") is None
+    assert files.text("c.txt") is None
+
+
 def test_a_file_is_read_again_only_where_it_has_changed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     reads = []
     read = tree.read_regular

@@ -86,7 +86,8 @@ def tree_of(request: Request, workspace: Workspace) -> SourceTree:
     """What is read beside the Python code."""
     if request.linked is not None:
         return request.linked.tree
-    return SourceTree(Path(request.folder or Path.cwd()), Path(workspace.root))
+    inside = (*workspace.inside, *workspace.complete_folders)
+    return SourceTree(Path(request.folder or Path.cwd()), Path(workspace.root), inside)
 
 
 def is_input(file: SourceFile) -> bool:

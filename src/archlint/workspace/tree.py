@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.disk import read_regular, walk
+from archlint.workspace.around import is_below
 from archlint.workspace.text_questions import about_lines, about_pattern, digest_of_part, is_about_part, part_of
 from archlint.workspace.tracked import Tracked, never_checked_out, repository_around
 from archlint.workspace.words import Words
@@ -156,11 +157,16 @@ _OF_CACHES = "CACHEDIR.TAG"
 
 class SourceTree:
     """The files below one folder.  Paths are relative to it, with ``/``; a path that leads out of ``within``
-    does not exist as far as this class is concerned."""
+    does not exist as far as this class is concerned.
 
-    def __init__(self, base: Path, within: Path | None = None) -> None:
+    Where ``within`` is only what folders far from each other have in common, such as a home folder, ``inside`` are
+    these: what is beside them does not exist, either.
+    """
+
+    def __init__(self, base: Path, within: Path | None = None, inside: Iterable[str] = ()) -> None:
         self.base = base
         self._within = os.path.realpath(within or base)
+        self._inside = tuple(dict.fromkeys(map(os.path.realpath, inside)))
         self._real_folders: dict[str, str] = {}
         """The paths of folders without symbolic links: each is asked for all folders around it."""
         self._listed: dict[str, list[str]] = {}
@@ -188,8 +194,7 @@ class SourceTree:
         real = os.path.join(self._real_folders[folder], name)
         if name in ("", os.curdir, os.pardir) or os.path.islink(real):
             real = os.path.realpath(real)
-        inside = real == self._within or real.startswith(self._within.rstrip(os.sep) + os.sep)
-        return Path(real) if inside else None
+        return Path(real) if is_below(real, self._within) and self._leads_inside(real) else None
 
     def is_file(self, path: str) -> bool:
         return self._kind(path) == "file"
@@ -315,7 +320,7 @@ class SourceTree:
 
     def answer(self, question: str, path: str) -> str | None:
         """What :attr:`asked` would hold if the question were asked now, for the first time."""
-        return SourceTree(self.base, Path(self._within)).ask((question, path))
+        return SourceTree(self.base, Path(self._within), self._inside).ask((question, path))
 
     def ask(self, question: Question) -> str | None:
         """The first answer to a question in this run."""
@@ -366,12 +371,21 @@ class SourceTree:
                 folders.clear()
                 continue
             folders[:] = sorted(name for name in folders if not name.startswith((".", "__pycache__")))
+            if not self._is_inside(top):
+                names = []
+                folders[:] = [name for name in folders if self._leads_inside(os.path.join(top, name))]
             below = Path(top).relative_to(real).as_posix()
             for name in names:
                 files.append(posixpath.normpath(posixpath.join(folder, below, name)))
             if len(files) > ENTRIES:
                 break
         return sorted(files)
+
+    def _is_inside(self, folder: str) -> bool:
+        return not self._inside or any(is_below(folder, each) for each in self._inside)
+
+    def _leads_inside(self, folder: str) -> bool:
+        return self._is_inside(folder) or any(is_below(each, folder) for each in self._inside)
 
 
 _XML_ENCODING = re.compile(
