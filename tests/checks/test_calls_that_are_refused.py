@@ -350,9 +350,8 @@ def test_the_result_of_a_future_has_no_time_limit(judge: Judge):
     assert finding.help == "result() never waits: continue in a done callback, where the future has its result"
 
 
-@pytest.mark.parametrize(
-    ("base", "method"), [("Node", "tick"), ("LifecycleNode", "tick"), ("LifecycleNode", "on_configure")]
-)
+@pytest.mark.parametrize("base", ["Node", "LifecycleNode"])
+@pytest.mark.parametrize("method", ["tick", "on_configure"])
 def test_a_call_in_a_callback_that_ends_there(judge: Judge, base: str, method: str):
     source = f"""
         import rclpy

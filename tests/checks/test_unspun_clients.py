@@ -98,18 +98,3 @@ def test_the_responses_of_one_of_two_nodes_never_come(judge: Judge, spin: str):
 )
 def test_responses_that_nobody_takes_or_that_come(judge: Judge, spin: str, taken: str):
     judge("EXE008", till(spin, taken))
-
-
-@pytest.mark.parametrize(("spun", "told"), [("till", False), ("kitchen", True)])
-def test_a_branch_that_is_not_taken_spins_the_node(judge: Judge, spun: str, told: bool):
-    """Who has the counter work through a table of steps may give it one more."""
-    run = f"""def run(self, step):
-        if step == 'pay':
-            self.till.order()
-            while rclpy.ok():
-                rclpy.spin_once(self.{spun})
-
-    def order(self):
-        self.kitchen"""
-    source = till(f"counter.run('cook')\n    {ONE_OF_TWO}", mark="  # here" if told else "")
-    judge("EXE008", source.replace("def order(self):\n        self.kitchen", run))

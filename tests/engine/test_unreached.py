@@ -125,32 +125,6 @@ def test_what_a_package_offers_is_for_others_to_call(tmp_path: Path) -> None:
     assert told(tmp_path, IDLE, setup=LIBRARY) == ALL
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "reached"),
-    [
-        ("", "", [1, 3, 4]),
-        ("class Brake:", "class Brake(Part):", ALL),  # it may call any of them
-        ("self.press()", "getattr(self, NAME)()", ALL),
-        ("    def release(self):", "    @on('stop')\n    def release(self):", ALL),
-    ],
-)
-def test_a_method_outside_of_all_packages_that_no_text_names(
-    tmp_path: Path, old: str, new: str, reached: list[int]
-) -> None:
-    """What lies in no package is no library of others; a function there, and what is named, may be called by hand."""
-    program = "import parts\n\n\ndef main():\n    parts.Brake().check()\n"
-    head = "import rclpy\nfrom somewhere import Part, on\n\nNAME = 'check'\n"
-    outside = head + (PARTS.replace(old, new, 1) if old else PARTS)
-    (tmp_path / "parts.py").write_text(outside, encoding="utf-8")
-    assert told(tmp_path / "car", program, parts="") == []
-    (tmp_path / "archlint.toml").write_text('select = ["API005"]\n', encoding="utf-8")
-    findings = check(Request((str(tmp_path),), load(tmp_path), cached=False, jobs=1)).findings
-    assert sorted(int(row.message.split("'")[1].rpartition("_")[2]) for row in findings) == reached
-    (tmp_path / "notes.md").write_text("Call release() first.\n", encoding="utf-8")
-    findings = check(Request((str(tmp_path),), load(tmp_path), cached=False, jobs=1)).findings
-    assert len(findings) == 4
-
-
 def test_what_is_not_reached_is_counted_and_shown_on_request(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -50,17 +50,6 @@ def test_files_and_modules_of_a_package(code: WorkspaceCode):
     assert code.top_modules == {"robot", "arm"}
 
 
-@pytest.mark.parametrize("last", ["robot/robot/talker.py", "robot/src/robot/robot/talker.py"])
-def test_a_copy_of_a_package_inside_of_it(last: str):
-    """colcon does not look for packages inside of one."""
-    paths = sorted(["robot/robot/talker.py", "robot/src/robot/robot/talker.py"], key=last.__eq__)
-    files = [SourceFile(f"/w/{path}", path, "python", "robot", "robot.talker") for path in paths]
-    copied = WorkspaceCode(
-        WorkspaceFiles(files, lambda file: lower("")), installs={"robot": Installs("robot", "robot")}
-    )
-    assert copied.modules_of("robot") == {"robot.talker": "robot/robot/talker.py"}
-
-
 @pytest.mark.parametrize(
     ("module", "files"),
     [

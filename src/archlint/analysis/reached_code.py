@@ -39,12 +39,10 @@ def is_unreached(workspace: WorkspaceIndex | None, place: Place) -> bool:
     if workspace.roles.is_test(place.file):
         return False
     blocks = _blocks(workspace, place.file)
-    if blocks is None:
+    if blocks is None or _is_for_others(workspace, place.file):
         return False
-    block = _block_at(blocks, place.line)
-    if _is_for_others(workspace, place.file):
-        return workspace.package_of(place.file) is None and _is_named_nowhere(workspace, place.file, blocks, block)
     programs = [start for start in _starts(workspace) if place.file in _files(workspace, start)]
+    block = _block_at(blocks, place.line)
     return bool(programs) and not any(_comes_to(workspace, start, place.file, block) for start in programs)
 
 
@@ -58,26 +56,6 @@ def _is_for_others(workspace: WorkspaceIndex, file: str) -> bool:
     if installs is None or installs.open_executables or not _has_programs(installs):
         return True
     return name in needed_packages(workspace)
-
-
-_TEXTS = (".ipynb", ".md", ".rst", ".sh", ".toml", ".txt", ".xml", ".yaml", ".yml")
-"""Files that may have the name of a method, beside those of Python."""
-
-
-def _is_named_nowhere(workspace: WorkspaceIndex, file: str, blocks: Sequence[_Block], block: _Block) -> bool:
-    """Whether no text of the workspace has the name of a method but its own class, which nothing else calls: what lies
-    in no package is no library that others install."""
-    if not block.owner or block.is_called or any(row.asks_itself or row.runs_texts for row in blocks):
-        return False
-    classes = (row for row in blocks if not row.owner and row.name == block.owner)
-    if not all(_PLAIN_BASES.issuperset(cls.bases) for cls in classes):
-        return False
-    if any(block.name in (row.name, *row.names) for row in blocks if row is not block):
-        return False
-    tree = workspace.tree
-    texts = [*workspace.launch_files.all(), *(path for path in tree.files_below(tree.top) if path.endswith(_TEXTS))]
-    python = [path for path in workspace.code.files_that_mention(block.name) if path != file]
-    return not python and not any(workspace.code.mentions(path, block.name) for path in texts)
 
 
 def _has_programs(installs: Installs) -> bool:

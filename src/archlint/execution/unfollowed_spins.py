@@ -1,5 +1,4 @@
-"""Spins that a run does not come to: it follows one round of a loop, and what a later round does may lead there, or a
-branch that is not taken, as yet, spins the node that an attribute holds."""
+"""Spins that a run does not come to, as it follows one round of a loop: what a later round does may lead there."""
 
 from __future__ import annotations
 
@@ -20,42 +19,12 @@ _SET_BEFORE = frozenset({"__init__", "__fields__"})
 
 
 def may_be_spun_later(system: System, program: Program, node: Blueprint) -> bool:
-    """Whether a loop near a node spins in a branch that no round which was followed takes, or a line that no run comes
-    to spins what has the name that the node is given where it is made."""
+    """Whether a loop near a node spins in a branch that no round which was followed takes."""
     if system.workspace is None:
         return False
-    made_at = node.made_at or node.place
-    files = sorted({program.file, node.place.file, made_at.file})
+    files = sorted({program.file, node.place.file, (node.made_at or node.place).file})
     rows = {Place.of(file, span) for file in files for span in _spins_of_later_rounds(system.workspace, file) or ()}
-    code = system.workspace.facts_at(made_at.file)
-    names = frozenset[str]() if code is None else _names_given(code, made_at.span)
-    rows |= {
-        Place.of(made_at.file, span)
-        for name, span in _spins_by_name(system.workspace, made_at.file) or ()
-        if name in names
-    }
     return not rows <= {call.place for call in program.calls}
-
-
-def _names_given(code: facts.Facts, made_at: facts.Span) -> frozenset[str]:
-    """The names of the variables or attributes that the statement with a call assigns."""
-    return frozenset(
-        target.last_name
-        for statement in everything_in(code.body, facts.Assign)
-        if any(call.span == made_at for call in everything_in([statement], facts.Call))
-        for target in statement.assigned
-        if target.last_name
-    )
-
-
-@once_for_each_file
-def _spins_by_name(code: facts.Facts) -> tuple[tuple[str, facts.Span], ...]:
-    """Each ``rclpy.spin_once(self.client)`` and the like of a file, with the name of what it spins."""
-    return tuple(
-        (call.args[0].value.last_name, call.span)
-        for call in everything_in(code.body, facts.Call)
-        if called_name(call) in METHODS_THAT_SPIN and call.args
-    )
 
 
 @once_for_each_file

@@ -135,21 +135,12 @@ class WorkspaceCode:
         return packages
 
     def modules_of(self, package: str) -> dict[str, str]:
-        """The modules of a package by name, with their paths; of the package itself, where a copy with its name lies
-        inside of it or elsewhere."""
-        modules: dict[str, str] = {}
-        for file in self._packages.get(package, ()):
-            if file.module and file.kind in CODE_KINDS:
-                known = modules.get(file.module)
-                if known is None or self._nearness(package, file.relative) >= self._nearness(package, known):
-                    modules[file.module] = file.relative
-        return modules
-
-    def _nearness(self, package: str, path: str) -> tuple[bool, int]:
-        """How near a module is to the folder of its package; ``a.py`` is as near as ``a/__init__.py``."""
-        installs = self._installs.get(package)
-        is_below = installs is not None and path.startswith(f"{installs.folder}/")
-        return is_below, -path.removesuffix("/__init__.py").count("/")
+        """The modules of a package by name, with their paths."""
+        return {
+            file.module: file.relative
+            for file in self._packages.get(package, ())
+            if file.module and file.kind in CODE_KINDS
+        }
 
     def files_of(self, package: str) -> list[str]:
         """The Python files of a package that are no launch files, whether they are modules or scripts."""
