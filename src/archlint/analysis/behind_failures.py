@@ -10,7 +10,7 @@ from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, Edge, Kind, reach
-from archlint.syntax.flow_facts import covers
+from archlint.syntax.flow_facts import covers, holds
 from archlint.syntax.parts import Itself, everything_in, parts_of
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ class BehindFailures:
 
     def is_never_left(self, handler: Place) -> bool:
         """Whether an ``except``, by its place, always fails itself, so that nothing behind it runs."""
-        spans = [span for span in self._failing.get(handler.file, ()) if _is_inside(span, handler.span)]
+        spans = [span for span in self._failing.get(handler.file, ()) if holds(handler.span, span)]
         body = code_of(self._workspace).body_at(handler) if spans else ()
         attempts = (attempt for attempt in parts_of(body, facts.Try))
         around = (each for attempt in attempts for each in attempt.handlers if each.span == handler.span)
@@ -50,10 +50,6 @@ class BehindFailures:
     def leaves_out(self, place: Place) -> bool:
         """Whether a place is in a function that is called behind such places alone."""
         return _covered(self._functions.get(place.file, ()), place)
-
-
-def _is_inside(span: facts.Span, other: facts.Span) -> bool:
-    return other[:2] <= span[:2] and span[2:] <= other[2:]
 
 
 def _covered(parts: Iterable[facts.Base], place: Place) -> bool:

@@ -18,6 +18,7 @@ from archlint.records import dataclass
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
+from archlint.syntax.flow_facts import holds
 from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
@@ -75,7 +76,7 @@ def is_chosen_in_vain(workspace: WorkspaceIndex, place: Place) -> bool:
     """Whether code at a place tests a substitution, so that it chooses the same each time, whatever was meant."""
     rows = (_of_file(workspace, place.file) if place.file.endswith(".py") else None) or ()
     spans = (misused.span for misused in rows if misused.kind in _TESTS)
-    return any(place.span[:2] <= span[:2] and span[2:] <= place.span[2:] for span in spans)
+    return any(holds(place.span, span) for span in spans)
 
 
 _TESTS = (Misuse.TESTED, Misuse.COMBINED, Misuse.COMPARED, Misuse.TEXT_TESTED)

@@ -17,6 +17,7 @@ from archlint.python_code.own_calls import FunctionInFile, function_meant, metho
 from archlint.python_code.used_nothing import Use, uses_of_results
 from archlint.records import dataclass
 from archlint.syntax import facts
+from archlint.syntax.flow_facts import holds
 from archlint.syntax.parts import everything_in, once_for, parts_of
 from archlint.syntax.walk import is_none
 
@@ -55,7 +56,7 @@ def failed_results(workspace: WorkspaceIndex) -> Iterator[FailedResult]:
     for path in workspace.python_files():
         rows = [*_in_file(workspace, path)]
         expecting = (_expecting(workspace, path) or ()) if rows else ()
-        yield from (row for row in rows if not any(_holds(span, row.place.span) for span in expecting))
+        yield from (row for row in rows if not any(holds(span, row.place.span) for span in expecting))
 
 
 def _in_file(workspace: WorkspaceIndex, path: str) -> Iterator[FailedResult]:
@@ -74,10 +75,6 @@ def _row(path: str, name: str, meant: FunctionInFile | None, use: tuple[Use, fac
     failure = None if meant is None else _failure_of(meant.code)
     if meant is not None and failure is not None:
         yield FailedResult(Place(path, *use[1]), name, use[0], Place(meant.file, *failure[1]), failure[0])
-
-
-def _holds(around: facts.Span, span: facts.Span) -> bool:
-    return around[:2] <= span[:2] and span[2:] <= around[2:]
 
 
 @once_for

@@ -15,6 +15,7 @@ from archlint.python_code.own_calls import FunctionInFile, function_meant, own_c
 from archlint.records import dataclass
 from archlint.syntax import facts
 from archlint.syntax.bindings import names_bound
+from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import everything_in, once_for
 
 if TYPE_CHECKING:
@@ -77,11 +78,11 @@ def _deed_to(code: facts.Function, parameter: str) -> tuple[Deed, str, facts.Spa
 @once_for
 def _deeds(code: facts.Function) -> dict[str, tuple[Deed, str, facts.Span]]:
     params = {param.name for param in code.params}.difference(names_bound(code.body))
-    sure = [statement.span for statement in _sure(code.body)] if params else []
+    sure = [*_sure(code.body)] if params else []
     rows: dict[str, tuple[Deed, str, facts.Span]] = {}
     for deed, other, by, value, span in deeds_in(code) if sure else ():
         wrong = value.variable in params and deed in _TAKES_APART and goes_wrong("message", deed, other, by)
-        if wrong and any(each[:2] <= span[:2] and span[2:] <= each[2:] for each in sure):
+        if wrong and any(covers(statement, span) for statement in sure):
             rows.setdefault(value.variable, (deed, by, span))
     return rows
 

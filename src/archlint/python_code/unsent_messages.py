@@ -13,6 +13,7 @@ from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.python_code.message_variables import imported_messages, makes_message, variables_of_messages
 from archlint.syntax import facts
+from archlint.syntax.flow_facts import holds
 from archlint.syntax.parts import Itself, everything_in, parts_of
 
 if TYPE_CHECKING:
@@ -28,9 +29,8 @@ _OF_NUMBERS = frozenset({"math", "np", "numpy"})
 
 def is_never_sent(workspace: WorkspaceIndex | None, place: Place) -> bool:
     """Whether a place sets a field of such a message."""
-    return workspace is not None and any(
-        span[:2] <= place.span[:2] and place.span[2:] <= span[2:] for span in _statements(workspace, place.file) or ()
-    )
+    spans = (_statements(workspace, place.file) if workspace is not None else None) or ()
+    return any(holds(span, place.span) for span in spans)
 
 
 @kept_for_each_file

@@ -49,7 +49,11 @@ def conditions_of(test: facts.Expr) -> Iterator[facts.Expr]:
 
 def covers(fact: facts.Base, span: facts.Span) -> bool:
     """Whether a place is inside of what a fact is written in."""
-    around: facts.Span = getattr(fact, "span", (0, 0, 0, 0))
+    return holds(getattr(fact, "span", (0, 0, 0, 0)), span)
+
+
+def holds(around: facts.Span, span: facts.Span) -> bool:
+    """Whether a place is inside of another one, or the same."""
     return around[:2] <= span[:2] and span[2:] <= around[2:]
 
 
@@ -89,4 +93,4 @@ def is_within(statement: facts.Stmt, first: tuple[int, int], last: tuple[int, in
     return first <= begins and ends <= last
 
 
-__all__ = ["covers", "ends_of", "is_unreachable", "is_within", "lines_of", "outcome", "sufficient"]
+__all__ = ["covers", "ends_of", "holds", "is_unreachable", "is_within", "lines_of", "outcome", "sufficient"]
